@@ -1,0 +1,129 @@
+#include "core/grid/boundary.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace whorl {
+namespace {
+
+int wrap(int i, int n) {
+    const int r = i % n;
+    return r < 0 ? r + n : r;
+}
+
+}  // namespace
+
+Boundary::Boundary(Grid grid, Sides::Id sides)
+    : grid_(grid),
+      periodic_(sides == Sides::of<Periodic>()),
+      mask_(static_cast<std::size_t>(grid.nx) * grid.ny, 0) {
+    for (const Site site : {Site::Centre, Site::FaceX, Site::FaceY}) rules_[static_cast<int>(site)] = make_rule(site);
+}
+
+bool Boundary::solid(int i, int j) const {
+    if (periodic_) {
+        i = wrap(i, grid_.nx);
+        j = wrap(j, grid_.ny);
+    } else if (i < 0 || j < 0 || i >= grid_.nx || j >= grid_.ny) {
+        return true;
+    }
+    return mask_[static_cast<std::size_t>(j) * grid_.nx + i] != 0;
+}
+
+void Boundary::set_solids(std::vector<std::uint8_t> mask) {
+    if (mask.size() != mask_.size()) throw std::invalid_argument("a mask of solids has one entry a cell");
+    if (mask == mask_) return;
+    mask_ = std::move(mask);
+    solids_ = static_cast<int>(mask_.size() - std::count(mask_.begin(), mask_.end(), std::uint8_t{0}));
+    ++revision_;
+    for (const Site site : {Site::Centre, Site::FaceX, Site::FaceY}) rules_[static_cast<int>(site)] = make_rule(site);
+}
+
+std::pair<int, int> Boundary::shape(Site site) const {
+    return {grid_.nx + (site == Site::FaceX && !periodic_ ? 1 : 0),
+            grid_.ny + (site == Site::FaceY && !periodic_ ? 1 : 0)};
+}
+
+Field Boundary::field(Site site, Real value) const {
+    const auto [width, height] = shape(site);
+    return {width, height, site, value};
+}
+
+Boundary::SolidRule Boundary::make_rule(Site site) const {
+    const auto [width, height] = shape(site);
+    SolidRule rule;
+    std::vector<int> source(static_cast<std::size_t>(width) * height, -1);
+    std::vector<int> front;
+    for (int j = 0; j < height; ++j) {
+        for (int i = 0; i < width; ++i) {
+            const bool here = !solid(i, j);
+            const bool before = site == Site::FaceX   ? !solid(i - 1, j)
+                                : site == Site::FaceY ? !solid(i, j - 1)
+                                                      : here;
+            const int at = j * width + i;
+            if (here != before) rule.closed.push_back(at);
+            if (here || before) {
+                source[at] = at;
+                front.push_back(at);
+            }
+        }
+    }
+    // Breadth first from the samples that fluid touches: each solid sample takes the nearest one's value.
+    while (!front.empty()) {
+        std::vector<int> next;
+        for (const int at : front) {
+            const int i = at % width;
+            const int j = at / width;
+            constexpr int steps[4][2] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
+            for (const auto& step : steps) {
+                int ni = i + step[0];
+                int nj = j + step[1];
+                if (periodic_) {
+                    ni = wrap(ni, width);
+                    nj = wrap(nj, height);
+                } else if (ni < 0 || nj < 0 || ni >= width || nj >= height) {
+                    continue;
+                }
+                const int to = nj * width + ni;
+                if (source[to] >= 0) continue;
+                source[to] = source[at];
+                rule.nearest.push_back({to, source[at]});
+                next.push_back(to);
+            }
+        }
+        front = std::move(next);
+    }
+    return rule;
+}
+
+void Boundary::fill(Field& field) const {
+    constexpr int g = Field::ghost;
+    const int width = field.width();
+    const int height = field.height();
+    for (const Copy& copy : rule(field.site()).nearest) {
+        field(copy.to % width, copy.to / width) = field(copy.from % width, copy.from / width);
+    }
+    for (int j = 0; j < height; ++j) {
+        Real* row = field.row(j);
+        for (int k = 1; k <= g; ++k) {
+            row[-k] = periodic_ ? row[wrap(-k, width)] : row[0];
+            row[width - 1 + k] = periodic_ ? row[(k - 1) % width] : row[width - 1];
+        }
+    }
+    for (int k = 1; k <= g; ++k) {
+        const Real* below = field.row(periodic_ ? wrap(-k, height) : 0);
+        const Real* above = field.row(periodic_ ? (k - 1) % height : height - 1);
+        std::copy(below - g, below + width + g, field.row(-k) - g);
+        std::copy(above - g, above + width + g, field.row(height - 1 + k) - g);
+    }
+}
+
+void Boundary::enforce(FaceVelocity& velocity) const {
+    for (Field* field : {&velocity.u, &velocity.v}) {
+        for (const int at : rule(field->site()).closed) (*field)(at % field->width(), at / field->width()) = 0;
+        if (fluid_cells() == 0) field->set_all(0);
+        fill(*field);
+    }
+}
+
+}  // namespace whorl
