@@ -17,7 +17,8 @@ Boundary::Boundary(Grid grid, Sides::Id sides)
     : grid_(grid),
       periodic_(sides == Sides::of<Periodic>()),
       mask_(static_cast<std::size_t>(grid.nx) * grid.ny, 0) {
-    for (const Site site : {Site::Centre, Site::FaceX, Site::FaceY}) rules_[static_cast<int>(site)] = make_rule(site);
+    for (const Site site : {Site::Centre, Site::FaceX, Site::FaceY})
+        rules_[static_cast<int>(site)] = make_rule(site);
 }
 
 bool Boundary::solid(int i, int j) const {
@@ -36,7 +37,8 @@ void Boundary::set_solids(std::vector<std::uint8_t> mask) {
     mask_ = std::move(mask);
     solids_ = static_cast<int>(mask_.size() - std::count(mask_.begin(), mask_.end(), std::uint8_t{0}));
     ++revision_;
-    for (const Site site : {Site::Centre, Site::FaceX, Site::FaceY}) rules_[static_cast<int>(site)] = make_rule(site);
+    for (const Site site : {Site::Centre, Site::FaceX, Site::FaceY})
+        rules_[static_cast<int>(site)] = make_rule(site);
 }
 
 std::pair<int, int> Boundary::shape(Site site) const {
@@ -120,7 +122,8 @@ void Boundary::fill(Field& field) const {
 
 void Boundary::enforce(FaceVelocity& velocity) const {
     for (Field* field : {&velocity.u, &velocity.v}) {
-        for (const int at : rule(field->site()).closed) (*field)(at % field->width(), at / field->width()) = 0;
+        for (const int at : rule(field->site()).closed)
+            (*field)(at % field->width(), at / field->width()) = 0;
         if (fluid_cells() == 0) field->set_all(0);
         fill(*field);
     }

@@ -23,9 +23,9 @@ using Sides = SchemeList<Box, Periodic>;
 
 /// The sides of the domain and a mask of stationary solid cells.
 ///
-/// Free slip: the normal velocity of a solid face is 0; tangential velocity and scalars take the nearest fluid
-/// value across the wall (zero gradient). `fill` writes that rule into ghost borders and solid cells, so that
-/// sampling needs no special case.
+/// Free slip: the normal velocity of a solid face is 0; tangential velocity and scalars take the nearest
+/// fluid value across the wall (zero gradient). `fill` writes that rule into ghost borders and solid cells,
+/// so that sampling needs no special case.
 class Boundary {
   public:
     Boundary() = default;

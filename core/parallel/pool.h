@@ -22,7 +22,11 @@ class Pool {
     /// `work` must not throw, and must not call the pool.
     template <class Work>
     void bands(int rows, Work&& work) {
-        run(rows, [](void* w, int first, int last) { (*static_cast<std::remove_reference_t<Work>*>(w))(first, last); },
+        run(
+            rows,
+            [](void* w, int first, int last) {
+                (*static_cast<std::remove_reference_t<Work>*>(w))(first, last);
+            },
             &work);
     }
 

@@ -1,0 +1,39 @@
+// Moving fields with the flow: the one way in for every scheme.
+#pragma once
+
+#include <optional>
+
+#include "core/advection/stencil.h"
+#include "core/advection/step.h"
+#include "core/schemes/registry.h"
+
+namespace whorl {
+
+/// The inner loops for a set of schemes in a domain with periodic sides or walls.
+Kernels choose_kernels(const SchemeSet& schemes, bool periodic);
+
+/// Moves fields by one set of schemes; keeps its stencil and intermediate fields from step to step.
+class Mover {
+  public:
+    /// @param seed of the jittered stencil
+    void set(const SchemeSet& schemes, int dimensions, std::uint64_t seed);
+    const SchemeSet& schemes() const { return schemes_; }
+
+    /// One step of advection.
+    /// @param group    fields at one site at the step's start, ghosts filled, and distinct ones for the
+    /// result,
+    ///                 whose ghosts are filled too; any unit
+    /// @param velocity at the step's start, ghosts filled, length/time
+    /// @param dt       time; negative moves backwards
+    void advect(const Group& group, const FaceVelocity& velocity, double dt, const Boundary& boundary,
+                Pool& pool);
+
+  private:
+    SchemeSet schemes_;
+    int dimensions_ = 0;
+    std::uint64_t seed_ = 0;
+    std::optional<Stencil> stencil_;
+    Workspace work_[3];  ///< one a site
+};
+
+}  // namespace whorl

@@ -1,0 +1,236 @@
+// The sole place where interpolation, tracer and limiter templates are instantiated.
+#include "core/advection/advect.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace whorl {
+namespace {
+
+/// Farther than any sensible trace; keeps the whole cells of a wild displacement within an int.
+constexpr Real far = 1e6F;
+
+struct AxisPlace {
+    int i;
+    Real t;
+};
+
+/// The interval that holds the point `d` cells from sample `node`, of samples 0 … n − 1.
+/// Whole cells and the fraction stay apart, so that precision does not fall with the size of the grid.
+template <bool periodic>
+inline AxisPlace place(int node, Real d, int n) {
+    d = d > -far ? d : -far;  // a NaN goes here too
+    d = d < far ? d : far;
+    const Real whole = std::floor(d);
+    const int i = node + static_cast<int>(whole);
+    const Real t = d - whole;
+    if constexpr (periodic) {
+        const int turns =
+            static_cast<int>(std::floor((static_cast<Real>(i) + Real(0.5)) / static_cast<Real>(n)));
+        return {i - turns * n, t};
+    } else {
+        const bool before = i < -1;
+        const bool beyond = i > n - 1;
+        return {before ? -1 : beyond ? n - 1 : i, before ? Real(0) : beyond ? Real(1) : t};
+    }
+}
+
+struct Cell {
+    Real q00, q10, q01, q11;
+};
+
+inline Cell cell_at(const Real* origin, int stride, int i, int j) {
+    const Real* q = origin + (j * stride + i);
+    return {q[0], q[1], q[stride], q[stride + 1]};
+}
+
+inline Real bilinear(const Cell& q, Real x, Real y) {
+    const Real below = Linear::at(q.q00, q.q10, x);
+    const Real above = Linear::at(q.q01, q.q11, x);
+    return Linear::at(below, above, y);
+}
+
+/// One velocity component near the nodes of a site.
+template <bool periodic>
+struct Component {
+    const Real* origin;
+    int stride, width, height;
+    Real shift_x, shift_y;
+
+    Component(const Field& field, Site node)
+        : origin(field.row(0)),
+          stride(field.stride()),
+          width(field.width()),
+          height(field.height()),
+          shift_x(static_cast<Real>(offset_x(node) - offset_x(field.site()))),
+          shift_y(static_cast<Real>(offset_y(node) - offset_y(field.site()))) {}
+
+    Real at(int i, int j, Vec2 d) const {
+        const AxisPlace x = place<periodic>(i, d.x + shift_x, width);
+        const AxisPlace y = place<periodic>(j, d.y + shift_y, height);
+        return bilinear(cell_at(origin, stride, x.i, y.i), x.t, y.t);
+    }
+};
+
+template <class Tracer, bool periodic>
+void trace_run(const Flow& flow, Run run, Vec2 start, Real dt, Displacements& out) {
+    const Component<periodic> u(flow.velocity->u, flow.site);
+    const Component<periodic> v(flow.velocity->v, flow.site);
+    for (int k = 0; k < run.count; ++k) {
+        const auto velocity = [&](Vec2 d) {
+            return Vec2(u.at(run.i + k, run.j, d), v.at(run.i + k, run.j, d));
+        };
+        const Vec2 d = Tracer::trace(velocity, start, dt);
+        out.x[k] = d.x;
+        out.y[k] = d.y;
+    }
+}
+
+template <bool periodic>
+void locate_run(const Field& field, Run run, const Displacements& d, Places& out) {
+    const int width = field.width();
+    const int height = field.height();
+    for (int k = 0; k < run.count; ++k) {
+        const AxisPlace x = place<periodic>(run.i + k, d.x[k], width);
+        const AxisPlace y = place<periodic>(run.j, d.y[k], height);
+        out.i[k] = x.i;
+        out.j[k] = y.i;
+        out.x[k] = x.t;
+        out.y[k] = y.t;
+    }
+}
+
+inline Real lowest(const Cell& q) {
+    return std::min(std::min(q.q00, q.q10), std::min(q.q01, q.q11));
+}
+inline Real highest(const Cell& q) {
+    return std::max(std::max(q.q00, q.q10), std::max(q.q01, q.q11));
+}
+
+/// Four points along one axis of memory (`step` apart), interpolated at t.
+template <class Interpolation>
+inline Real along(const Real* q, int step, Real t, Interval interval) {
+    return Interpolation::at(q[-step], q[0], q[step], q[2 * step], t, interval);
+}
+
+/// One axis first, then the other, over the 4 × 4 samples around a place.
+template <class Interpolation, bool x_first>
+inline Real cubic(const Real* q, int stride, Real x, Real y, Interval in_x, Interval in_y) {
+    const int first_step = x_first ? 1 : stride;
+    const int second_step = x_first ? stride : 1;
+    const Real first_t = x_first ? x : y;
+    const Real second_t = x_first ? y : x;
+    const Interval first = x_first ? in_x : in_y;
+    const Interval second = x_first ? in_y : in_x;
+    const Real qm = along<Interpolation>(q - second_step, first_step, first_t, first);
+    const Real q0 = along<Interpolation>(q, first_step, first_t, first);
+    const Real q1 = along<Interpolation>(q + second_step, first_step, first_t, first);
+    const Real q2 = along<Interpolation>(q + 2 * second_step, first_step, first_t, first);
+    return Interpolation::at(qm, q0, q1, q2, second_t, second);
+}
+
+template <class Interpolation, bool x_first, bool clamped, bool periodic>
+void sample_run(const Field& field, const Places& at, int count, Values& out) {
+    const Real* origin = field.row(0);
+    const int stride = field.stride();
+    const int last_x = field.width() - 1;
+    const int last_y = field.height() - 1;
+    for (int k = 0; k < count; ++k) {
+        if constexpr (Interpolation::support == 2) {
+            out[k] = bilinear(cell_at(origin, stride, at.i[k], at.j[k]), at.x[k], at.y[k]);
+        } else {
+            const Real* q = origin + (at.j[k] * stride + at.i[k]);
+            const Real value = cubic<Interpolation, x_first>(q, stride, at.x[k], at.y[k],
+                                                             Interval{at.i[k], last_x, periodic},
+                                                             Interval{at.j[k], last_y, periodic});
+            const Cell cell = cell_at(origin, stride, at.i[k], at.j[k]);
+            out[k] = clamped ? std::min(std::max(value, lowest(cell)), highest(cell)) : value;
+        }
+    }
+}
+
+template <Expansion expansion>
+void share_run(const Field& field, const Places& at, int count, const Particle& particle,
+               const Values& at_node, Values& sum) {
+    const Real* origin = field.row(0);
+    const int stride = field.stride();
+    const Real to_x = -particle.offset.x;  // x_i − x_s, cells
+    const Real to_y = -particle.offset.y;
+    for (int k = 0; k < count; ++k) {
+        const Cell q = cell_at(origin, stride, at.i[k], at.j[k]);
+        Real value = bilinear(q, at.x[k], at.y[k]);
+        if constexpr (expansion != Expansion::Value) {
+            const Real gradient_x = Linear::at(q.q10 - q.q00, q.q11 - q.q01, at.y[k]);
+            const Real gradient_y = Linear::at(q.q01 - q.q00, q.q11 - q.q10, at.x[k]);
+            value += gradient_x * to_x + gradient_y * to_y;
+        }
+        if constexpr (expansion == Expansion::CrossTerm) {
+            value += (q.q00 - q.q10 - q.q01 + q.q11) * to_x * to_y;
+        }
+        sum[k] += particle.weight * (value - at_node[k]);
+    }
+}
+
+template <class Limiter>
+void limit_run(const Field& q, const Places& at, int count, const Values& first_order, Values& value) {
+    const Real* origin = q.row(0);
+    const int stride = q.stride();
+    for (int k = 0; k < count; ++k) {
+        const Cell cell = cell_at(origin, stride, at.i[k], at.j[k]);
+        value[k] = Limiter::limit(value[k], first_order[k], lowest(cell), highest(cell));
+    }
+}
+
+/// Turns a run-time truth into a template argument.
+template <class F>
+auto with_bool(bool value, F&& f) {
+    return value ? f(std::true_type{}) : f(std::false_type{});
+}
+
+SampleFn choose_sample(const SchemeSet& s, bool periodic) {
+    return Interpolations::dispatch(s.interpolation, [&]<class I>(std::type_identity<I>) -> SampleFn {
+        return with_bool(s.axis_order == AxisOrders::of<XFirst>(), [&]<class X>(X) -> SampleFn {
+            return with_bool(s.clamped, [&]<class C>(C) -> SampleFn {
+                return with_bool(periodic, [&]<class P>(P) -> SampleFn {
+                    return sample_run<I, X::value, C::value, P::value>;
+                });
+            });
+        });
+    });
+}
+
+ShareFn choose_share(Expansion expansion) {
+    switch (expansion) {
+        case Expansion::Value:
+            return share_run<Expansion::Value>;
+        case Expansion::Gradient:
+            return share_run<Expansion::Gradient>;
+        case Expansion::CrossTerm:
+            return share_run<Expansion::CrossTerm>;
+        case Expansion::None:
+            break;
+    }
+    return nullptr;
+}
+
+}  // namespace
+
+Kernels choose_kernels(const SchemeSet& s, bool periodic) {
+    Kernels kernels{};
+    with_bool(periodic, [&]<class P>(P) {
+        kernels.trace = Tracers::dispatch(
+            s.tracer, []<class T>(std::type_identity<T>) -> TraceFn { return trace_run<T, P::value>; });
+        kernels.locate = locate_run<P::value>;
+        kernels.sample_linear = sample_run<Linear, true, false, P::value>;
+    });
+    kernels.sample = choose_sample(s, periodic);
+    kernels.share = choose_share(s.expansion());
+    kernels.limit =
+        Limiters::dispatch(s.limiter, []<class L>(std::type_identity<L>) -> LimitFn { return limit_run<L>; });
+    if (Bases::dispatch(s.base, []<class B>(std::type_identity<B>) { return B::clamps_base; })) {
+        kernels.limit_base = limit_run<ClampLimiter>;
+    }
+    return kernels;
+}
+
+}  // namespace whorl

@@ -1,0 +1,31 @@
+// The particles of a node: where they start and how much they count.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "core/schemes/registry.h"
+
+namespace whorl {
+
+/// The particles of every node. Weights sum to 1.
+class Stencil {
+  public:
+    static constexpr int max_particles = (2 * SchemeSet::max_zeta + 1) * (2 * SchemeSet::max_zeta + 1);
+
+    /// @param dimensions 1 leaves out all particles off the x axis; radii are then Δ_r = ½ cell.
+    /// @param zeta       0 gives the node alone: plain semi-Lagrangian
+    /// @param seed       of `jittered`
+    Stencil(Stencils::Id kind, int zeta, Weights::Id weights, int dimensions, std::uint64_t seed);
+
+    std::span<const Particle> particles() const {
+        return {particles_.data(), static_cast<std::size_t>(count_)};
+    }
+
+  private:
+    std::array<Particle, max_particles> particles_;
+    int count_ = 0;
+};
+
+}  // namespace whorl

@@ -1,0 +1,25 @@
+// Bicubic interpolation.
+#pragma once
+
+#include "core/interpolation/catmull_rom.h"
+
+namespace whorl {
+
+/// The bicubic patch that matches q, q_x, q_y and q_xy at the four enclosing samples, the derivatives by
+/// central differences.  [T A.17–A.21]  With those it is the tensor product of Catmull-Rom, and is computed
+/// as that; a test solves A.19 and compares. Order 3 in space; overshoots.
+struct Bicubic {
+    static constexpr SchemeInfo info{
+        "bicubic", "Bicubic", "thesis eq. A.17–A.21",
+        "One patch a cell from values and derivatives; equals Catmull-Rom in x and y."};
+    static constexpr int support = 4;
+    static constexpr bool overshoots = true;
+
+    /// @param qm … q2 samples i − 1 … i + 2, any unit
+    /// @param t       place in [i, i + 1], 0 to 1
+    static Real at(Real qm, Real q0, Real q1, Real q2, Real t, Interval interval) {
+        return CatmullRom::at(qm, q0, q1, q2, t, interval);
+    }
+};
+
+}  // namespace whorl

@@ -1,0 +1,27 @@
+// Catmull-Rom interpolation.
+#pragma once
+
+#include "core/interpolation/hermite.h"
+#include "core/interpolation/interval.h"
+#include "core/schemes/scheme.h"
+
+namespace whorl {
+
+/// Cubic Hermite with central slopes.  [T 3.12–3.14, A.8]
+/// Order 3 in space; overshoots.
+struct CatmullRom {
+    static constexpr SchemeInfo info{
+        "catmull-rom", "Catmull-Rom", "Catmull and Rom 1974; thesis eq. A.8",
+        "The cubic with central slopes. Sharp, but overshoots near steep edges."};
+    static constexpr int support = 4;
+    static constexpr bool overshoots = true;
+
+    /// @param qm … q2 samples i − 1 … i + 2, any unit
+    /// @param t       place in [i, i + 1], 0 to 1
+    static Real at(Real qm, Real q0, Real q1, Real q2, Real t, Interval) {
+        const Slopes d(qm, q0, q1, q2);
+        return hermite(q0, d.D, d.left, d.right, t);
+    }
+};
+
+}  // namespace whorl

@@ -1,0 +1,59 @@
+// Fritsch and Carlson's monotone interpolation, with their circle and with the square.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/interpolation/hermite.h"
+#include "core/interpolation/interval.h"
+#include "core/schemes/scheme.h"
+
+namespace whorl {
+
+/// Catmull-Rom whose slope ratios α = δ_i/D, β = δ_{i+1}/D are brought into the monotone region: slopes of
+/// the wrong sign to 0, then both scaled onto the circle α² + β² ≤ 9, interval by interval.  [T 3.15–3.23]
+/// Order 3 in space where no slope is limited; stays in the range of its interval's samples.
+struct FritschCarlson {
+    static constexpr SchemeInfo info{"fritsch-carlson", "Fritsch-Carlson",
+                                     "Fritsch and Carlson 1980; thesis eq. 3.20–3.23",
+                                     "A cubic with slopes limited so that it never overshoots."};
+    static constexpr int support = 4;
+    static constexpr bool overshoots = false;
+
+    /// @param qm … q2 samples i − 1 … i + 2, any unit
+    /// @param t       place in [i, i + 1], 0 to 1
+    static Real at(Real qm, Real q0, Real q1, Real q2, Real t, Interval) {
+        const Slopes d(qm, q0, q1, q2);
+        const Real left = same_sign_or_zero(d.left, d.D);
+        const Real right = same_sign_or_zero(d.right, d.D);
+        const Real size2 = left * left + right * right;
+        const Real limit2 = 9 * d.D * d.D;
+        const Real tau = size2 > limit2 ? std::sqrt(limit2 / size2) : Real(1);
+        return hermite(q0, d.D, tau * left, tau * right, t);
+    }
+};
+
+/// As FritschCarlson, with each ratio limited to 3 by itself: the square [0, 3]² that [T A.3] argues for.
+/// Order 3 in space where no slope is limited; stays in the range of its interval's samples.
+struct FritschCarlsonSquare {
+    static constexpr SchemeInfo info{
+        "fritsch-carlson-square", "Fritsch-Carlson, square", "Fritsch and Carlson 1980; thesis sec. A.3",
+        "Fritsch-Carlson with each slope limited by itself: the smallest change."};
+    static constexpr int support = 4;
+    static constexpr bool overshoots = false;
+
+    /// @param qm … q2 samples i − 1 … i + 2, any unit
+    /// @param t       place in [i, i + 1], 0 to 1
+    static Real at(Real qm, Real q0, Real q1, Real q2, Real t, Interval) {
+        const Slopes d(qm, q0, q1, q2);
+        return hermite(q0, d.D, limited(d.left, d.D), limited(d.right, d.D), t);
+    }
+
+  private:
+    static Real limited(Real slope, Real D) {
+        const Real signed_slope = same_sign_or_zero(slope, D);
+        return D > 0 ? std::min(signed_slope, 3 * D) : std::max(signed_slope, 3 * D);
+    }
+};
+
+}  // namespace whorl

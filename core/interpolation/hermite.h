@@ -1,0 +1,30 @@
+// The cubic Hermite interpolant that the slope-based schemes share.
+#pragma once
+
+#include "core/grid/real.h"
+
+namespace whorl {
+
+/// The cubic through q_i with slopes d0 and d1 (per cell) at the interval's ends.  [T 3.12]
+/// @param q0 sample i
+/// @param D  q_{i+1} − q_i
+/// @param t  place in the interval, 0 to 1
+inline Real hermite(Real q0, Real D, Real d0, Real d1, Real t) {
+    const Real a3 = d0 + d1 - 2 * D;
+    const Real a2 = 3 * D - 2 * d0 - d1;
+    return q0 + t * (d0 + t * (a2 + t * a3));
+}
+
+/// The central slopes of samples i and i + 1, per cell.  [T 3.14]
+struct Slopes {
+    Real D, left, right;
+    Slopes(Real qm, Real q0, Real q1, Real q2)
+        : D(q1 - q0), left((q1 - qm) * Real(0.5)), right((q2 - q0) * Real(0.5)) {}
+};
+
+/// A slope that leads away from D is set to 0.  [T 3.15, A.1]
+inline Real same_sign_or_zero(Real slope, Real D) {
+    return slope * D > 0 ? slope : Real(0);
+}
+
+}  // namespace whorl

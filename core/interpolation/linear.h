@@ -1,0 +1,24 @@
+// Linear interpolation.
+#pragma once
+
+#include "core/grid/real.h"
+#include "core/interpolation/interval.h"
+#include "core/schemes/scheme.h"
+
+namespace whorl {
+
+/// q = q_i + t D.  [T 3.11]
+/// Order 2 in space; never leaves the range of the enclosing samples.
+struct Linear {
+    static constexpr SchemeInfo info{
+        "linear", "Linear", "Stam 1999; thesis eq. 3.11",
+        "The straight line between neighbours. Never overshoots, smears the most."};
+    static constexpr int support = 2;
+    static constexpr bool overshoots = false;
+
+    /// @param q0, q1 samples i and i + 1, any unit
+    /// @param t      place in the interval, 0 to 1
+    static Real at(Real q0, Real q1, Real t) { return q0 + t * (q1 - q0); }
+};
+
+}  // namespace whorl

@@ -1,0 +1,28 @@
+// Fedkiw's modified ("monotone") Catmull-Rom interpolation.
+#pragma once
+
+#include "core/interpolation/hermite.h"
+#include "core/interpolation/interval.h"
+#include "core/schemes/scheme.h"
+
+namespace whorl {
+
+/// Catmull-Rom whose slopes are set to 0 one by one where their sign differs from D's.  [T A.1, cases C1–C5]
+/// Not followed: [F 101] also zeroes D, which makes the interpolant jump at the right sample.
+/// Order 3 in space away from extrema; still overshoots where a slope exceeds 3 D.
+struct MonotoneCatmullRom {
+    static constexpr SchemeInfo info{
+        "monotone-catmull-rom", "Monotone Catmull-Rom", "Fedkiw, Stam and Jensen 2001; thesis sec. A.1",
+        "Catmull-Rom with slopes of the wrong sign set to 0. Not quite monotone."};
+    static constexpr int support = 4;
+    static constexpr bool overshoots = true;
+
+    /// @param qm … q2 samples i − 1 … i + 2, any unit
+    /// @param t       place in [i, i + 1], 0 to 1
+    static Real at(Real qm, Real q0, Real q1, Real q2, Real t, Interval) {
+        const Slopes d(qm, q0, q1, q2);
+        return hermite(q0, d.D, same_sign_or_zero(d.left, d.D), same_sign_or_zero(d.right, d.D), t);
+    }
+};
+
+}  // namespace whorl

@@ -1,0 +1,23 @@
+// One Euler step back along the flow.
+#pragma once
+
+#include "core/grid/real.h"
+#include "core/schemes/scheme.h"
+
+namespace whorl {
+
+/// x^b = x − Δt u(x).  [T 3.3]  Order 1 in time.
+struct Euler {
+    static constexpr SchemeInfo info{"euler", "Euler", "thesis eq. 3.3",
+                                     "One straight step along the velocity at the point itself."};
+
+    /// @param u  velocity at a place, cells/time
+    /// @param x  the point to trace back, cells
+    /// @param dt step, time; negative traces forward
+    template <class Velocity>
+    static Vec2 trace(const Velocity& u, Vec2 x, Real dt) {
+        return x - dt * u(x);
+    }
+};
+
+}  // namespace whorl

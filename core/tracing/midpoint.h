@@ -1,0 +1,23 @@
+// The midpoint rule along the flow.
+#pragma once
+
+#include "core/grid/real.h"
+#include "core/schemes/scheme.h"
+
+namespace whorl {
+
+/// x^m = x − ½Δt u(x), x^b = x − Δt u(x^m).  [T 3.4–3.5]  Order 2 in time.
+struct Midpoint {
+    static constexpr SchemeInfo info{"midpoint", "Midpoint", "thesis eq. 3.4–3.5",
+                                     "Half a step to find the velocity, then a whole step with it."};
+
+    /// @param u  velocity at a place, cells/time
+    /// @param x  the point to trace back, cells
+    /// @param dt step, time; negative traces forward
+    template <class Velocity>
+    static Vec2 trace(const Velocity& u, Vec2 x, Real dt) {
+        return x - dt * u(x - dt / 2 * u(x));
+    }
+};
+
+}  // namespace whorl

@@ -1,0 +1,27 @@
+// Ralston's third-order Runge-Kutta rule along the flow.
+#pragma once
+
+#include "core/grid/real.h"
+#include "core/schemes/scheme.h"
+
+namespace whorl {
+
+/// k₁ = u(x), k₂ = u(x − ½Δt k₁), k₃ = u(x − ¾Δt k₂), x^b = x − Δt (2k₁ + 3k₂ + 4k₃)/9.  [Ralston 1962]
+/// Order 3 in time.
+struct Rk3 {
+    static constexpr SchemeInfo info{"rk3", "Runge-Kutta 3", "Ralston 1962",
+                                     "Three samples of the velocity, weighted for the least error."};
+
+    /// @param u  velocity at a place, cells/time
+    /// @param x  the point to trace back, cells
+    /// @param dt step, time; negative traces forward
+    template <class Velocity>
+    static Vec2 trace(const Velocity& u, Vec2 x, Real dt) {
+        const Vec2 k1 = u(x);
+        const Vec2 k2 = u(x - Real(0.5) * dt * k1);
+        const Vec2 k3 = u(x - Real(0.75) * dt * k2);
+        return x - dt / 9 * (Real(2) * k1 + Real(3) * k2 + Real(4) * k3);
+    }
+};
+
+}  // namespace whorl

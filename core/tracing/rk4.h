@@ -1,0 +1,28 @@
+// The classical fourth-order Runge-Kutta rule along the flow.
+#pragma once
+
+#include "core/grid/real.h"
+#include "core/schemes/scheme.h"
+
+namespace whorl {
+
+/// k₁ = u(x), k₂ = u(x − ½Δt k₁), k₃ = u(x − ½Δt k₂), k₄ = u(x − Δt k₃),
+/// x^b = x − Δt (k₁ + 2k₂ + 2k₃ + k₄)/6.  [Kutta 1901]  Order 4 in time.
+struct Rk4 {
+    static constexpr SchemeInfo info{"rk4", "Runge-Kutta 4", "Kutta 1901",
+                                     "Four samples of the velocity; the path is as good as exact."};
+
+    /// @param u  velocity at a place, cells/time
+    /// @param x  the point to trace back, cells
+    /// @param dt step, time; negative traces forward
+    template <class Velocity>
+    static Vec2 trace(const Velocity& u, Vec2 x, Real dt) {
+        const Vec2 k1 = u(x);
+        const Vec2 k2 = u(x - dt / 2 * k1);
+        const Vec2 k3 = u(x - dt / 2 * k2);
+        const Vec2 k4 = u(x - dt * k3);
+        return x - dt / 6 * (k1 + Real(2) * k2 + Real(2) * k3 + k4);
+    }
+};
+
+}  // namespace whorl
