@@ -74,8 +74,8 @@ Ticks log_ticks(double lo, double hi, int target) {
 std::string tick_label(double value, const Ticks& ticks) {
     if (value == 0.0) value = 0.0;  // no minus
     if (ticks.step == 0.0) {
-        return value >= 0.01 && value < 1e5 ? short_exponent(print("%.*g", 5, value))
-                                            : short_exponent(print("%.*g", 3, value));
+        const bool plain = value > 0.009 && value < 99999.0;
+        return plain ? print("%.*g", 5, value) : short_exponent(print("%.*e", 0, value));
     }
     const double largest = std::max(std::abs(ticks.values.front()), std::abs(ticks.values.back()));
     const int decimals = std::max(0, static_cast<int>(-std::floor(std::log10(ticks.step) + slack)));
