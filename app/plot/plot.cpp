@@ -98,6 +98,14 @@ void draw_curve(ImDrawList& list, const Theme& theme, const Frame& frame, const 
     // ImGui draws whole widths from a texture, several times faster than others.
     const float thickness = std::max(1.0f, theme.px(1.5f));
     const auto flush = [&] {
+        // Where a curve turns within a pixel, a polyline gets too thin to see: fill such columns.
+        for (std::size_t k = 1; k < points.size(); ++k) {
+            const ImVec2 a = points[k - 1];
+            const ImVec2 b = points[k];
+            if (b.x - a.x > 1.5f || std::abs(b.y - a.y) < 2.0f * thickness) continue;
+            const float left = std::round(0.5f * (a.x + b.x - thickness));
+            list.AddRectFilled({left, std::min(a.y, b.y)}, {left + thickness, std::max(a.y, b.y)}, colour);
+        }
         if (points.size() == 1) list.AddCircleFilled(points.front(), thickness, colour, 8);
         if (points.size() > 1) {
             list.AddPolyline(points.data(), static_cast<int>(points.size()), colour, ImDrawFlags_None,
@@ -195,9 +203,11 @@ std::optional<double> draw_plot(const Theme& theme, const Plot& plot, std::span<
     const float frame_height = frame.high.y - frame.low.y;
     std::optional<double> hovered_x;
     if (frame_height >= theme.px(24.0f) && width >= theme.px(110.0f)) {
-        const int rows = std::clamp(static_cast<int>(frame_height / (2.6f * small)), 1, 6);
-        const Ticks y_ticks =
-            plot.log_y ? log_ticks(frame.y.lo, frame.y.hi, rows) : linear_ticks(frame.y.lo, frame.y.hi, rows);
+        const auto rows = [&](float lines) {
+            return std::clamp(static_cast<int>(frame_height / (lines * small)), 1, 6);
+        };
+        const Ticks y_ticks = plot.log_y ? log_ticks(frame.y.lo, frame.y.hi, rows(1.7f))
+                                         : linear_ticks(frame.y.lo, frame.y.hi, rows(2.6f));
         float labels = 0.0f;
         for (const double value : y_ticks.values) {
             labels = std::max(labels, text_width(*theme.small, tick_label(value, y_ticks)));
@@ -205,14 +215,13 @@ std::optional<double> draw_plot(const Theme& theme, const Plot& plot, std::span<
         // One indent for plots stacked in a column, unless a label needs more.
         frame.low.x += std::max(std::ceil(labels), theme.px(28.0f)) + theme.px(6.0f);
         const int marks = std::clamp(static_cast<int>((frame.high.x - frame.low.x) / theme.px(56.0f)), 1, 8);
-        draw_axes(list, theme, frame, linear_ticks(frame.x.lo, frame.x.hi, marks), y_ticks, end.x);
-
-        if (drawn == 0) {
+        if (drawn > 0) {
+            draw_axes(list, theme, frame, linear_ticks(frame.x.lo, frame.x.hi, marks), y_ticks, end.x);
+        } else {
             const float wide = text_width(*theme.small, plot.empty_text);
-            add_text(
-                list, *theme.small,
-                {0.5f * (frame.low.x + frame.high.x - wide), 0.5f * (frame.low.y + frame.high.y - small)},
-                theme.palette.text_dim, plot.empty_text);
+            add_text(list, *theme.small,
+                     {0.5f * (corner.x + end.x - wide), 0.5f * (frame.low.y + frame.high.y - small)},
+                     theme.palette.text_dim, plot.empty_text);
         }
         // A curve's width may reach over the frame's edge by a pixel or two, so that extrema are not cut.
         const float reach = theme.px(3.0f);

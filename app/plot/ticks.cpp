@@ -9,12 +9,13 @@ namespace whorl::app {
 namespace {
 
 /// Ticks that miss the range's ends by rounding alone still count, as a part of a step.
-constexpr double slack = 1e-9;
+/// Ranges come in single precision.
+constexpr double slack = 1e-6;
 
 double round_step(double rough) {
     const double power = std::pow(10.0, std::floor(std::log10(rough)));
     const double part = rough / power;
-    return power * (part <= 1.0 ? 1.0 : part <= 2.0 ? 2.0 : part <= 5.0 ? 5.0 : 10.0);
+    return power * (part < 1.5 ? 1.0 : part < 3.5 ? 2.0 : part < 7.5 ? 5.0 : 10.0);
 }
 
 /// Takes the "+0" out of 1e+05 and the "0" out of 1e-05.

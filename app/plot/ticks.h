@@ -12,8 +12,8 @@ struct Ticks {
     double step = 0.0;  ///< distance between neighbours; 0 on a logarithmic axis
 };
 
-/// Multiples of 1, 2 or 5 times a power of ten inside [lo, hi], about `target` of them and never more than
-/// twice as many. Empty if the range is empty or not finite.
+/// Multiples of 1, 2 or 5 times a power of ten inside [lo, hi], about `target` of them and never twice as
+/// many. Empty if the range is empty or not finite.
 Ticks linear_ticks(double lo, double hi, int target);
 
 /// Powers of ten inside [lo, hi], thinned to about `target`; with less than two decades, 1, 2 and 5 of each.

@@ -27,6 +27,14 @@ float sample(const Field& field, glm::vec2 place) {
     return std::lerp(low, high, y - static_cast<float>(j));
 }
 
+bool is_solid(std::span<const std::uint8_t> solids, int nx, glm::vec2 place) {
+    if (solids.empty()) return false;
+    const int ny = static_cast<int>(solids.size()) / nx;
+    const int i = std::clamp(static_cast<int>(place.x), 0, nx - 1);
+    const int j = std::clamp(static_cast<int>(place.y), 0, ny - 1);
+    return solids[static_cast<std::size_t>(j) * nx + i] != 0;
+}
+
 }  // namespace
 
 Arrows::Arrows() : program_("arrow", shaders::arrow_vert, shaders::arrow_frag) {
@@ -54,6 +62,7 @@ void Arrows::draw(const FaceVelocity& velocity, const FieldDraw& draw, const Arr
             const glm::vec2 part((static_cast<float>(a) + 0.5f) / static_cast<float>(count.x),
                                  (static_cast<float>(b) + 0.5f) / static_cast<float>(count.y));
             const glm::vec2 place = (draw.window.low + part * (draw.window.high - draw.window.low)) * cells;
+            if (is_solid(style.solids, velocity.v.width(), place)) continue;
             const glm::vec2 u(sample(velocity.u, place), sample(velocity.v, place));
             const float speed = glm::length(u);
             if (!std::isfinite(speed)) continue;

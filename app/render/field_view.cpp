@@ -13,6 +13,21 @@ namespace {
 /// More samples a pixel than this along a side cost more than they show.
 constexpr int max_taps = 4;
 
+/// Greys that no smoke is mistaken for, sRGB.
+struct SolidColours {
+    glm::vec3 fill;
+    glm::vec3 hatch;
+    glm::vec3 edge;
+};
+constexpr SolidColours on_dark{{0.27f, 0.285f, 0.315f}, {0.36f, 0.375f, 0.41f}, {0.62f, 0.64f, 0.68f}};
+constexpr SolidColours on_bright{{0.84f, 0.85f, 0.87f}, {0.70f, 0.72f, 0.75f}, {0.38f, 0.40f, 0.44f}};
+
+/// Whether a map shows nothing, or 0, in a bright colour.
+bool is_bright(const ColourMap& map) {
+    const glm::vec3 rest = map.at(map.kind == ColourMap::Kind::Diverging ? 0.5f : 0.0f);
+    return rest.r + rest.g + rest.b > 1.8f;
+}
+
 void set(GLint location, glm::vec2 value) {
     glUniform2f(location, value.x, value.y);
 }
@@ -64,9 +79,10 @@ void FieldView::draw(const FieldTexture& field, const ColourMap& map, const Mask
     glUniform1i(program_.uniform("taps"),
                 std::clamp(static_cast<int>(std::ceil(densest - 0.25f)), 1, max_taps));
     glUniform1f(program_.uniform("scale"), draw.scale);
-    set(program_.uniform("solid_fill"), glm::vec3(0.27f, 0.285f, 0.315f));
-    set(program_.uniform("solid_hatch"), glm::vec3(0.36f, 0.375f, 0.41f));
-    set(program_.uniform("solid_edge"), glm::vec3(0.62f, 0.64f, 0.68f));
+    const SolidColours& grey = is_bright(map) ? on_bright : on_dark;
+    set(program_.uniform("solid_fill"), grey.fill);
+    set(program_.uniform("solid_hatch"), grey.hatch);
+    set(program_.uniform("solid_edge"), grey.edge);
     set(program_.uniform("outside"), draw.outside);
 
     field.bind(0);

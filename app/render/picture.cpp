@@ -70,10 +70,29 @@ struct Layout {
     float caption_y;
 };
 
+/// Distance between the lines of a paragraph, as a part of the font's size.
+constexpr float line_height = 1.4f;
+
+/// Calls `line(begin, end)` for every line of the text, wrapped at `width` pixels.
+template <class Line>
+void for_each_line(const ImFont& font, const std::string& text, float width, Line&& line) {
+    const char* at = text.data();
+    const char* const end = at + text.size();
+    while (at < end) {
+        const char* const line_end = std::find(at, end, '\n');
+        const char* stop = font.CalcWordWrapPositionA(1.0f, at, line_end, width);
+        if (stop == at && stop < line_end) ++stop;  // not even a letter fits
+        line(at, stop);
+        at = stop;
+        while (at < line_end && *at == ' ') ++at;
+        if (at == line_end && at < end) ++at;
+    }
+}
+
 float height_of(const ImFont& font, const std::string& text, float width) {
-    if (text.empty()) return 0.0f;
-    return std::ceil(
-        font.CalcTextSizeA(font.FontSize, FLT_MAX, width, text.data(), text.data() + text.size()).y);
+    float lines = 0.0f;
+    for_each_line(font, text, width, [&](const char*, const char*) { lines += 1.0f; });
+    return lines > 0.0f ? font.FontSize + (lines - 1.0f) * std::round(line_height * font.FontSize) : 0.0f;
 }
 
 Layout lay_out(const PictureRequest& request, glm::ivec2 cells, const Theme& theme, const ColourBar& bar) {
@@ -109,8 +128,10 @@ Layout lay_out(const PictureRequest& request, glm::ivec2 cells, const Theme& the
 
 void add_paragraph(ImDrawList& list, const ImFont& font, ImVec2 at, float width, ImU32 colour,
                    const std::string& text) {
-    if (text.empty()) return;
-    list.AddText(&font, font.FontSize, at, colour, text.data(), text.data() + text.size(), width);
+    for_each_line(font, text, width, [&](const char* begin, const char* end) {
+        list.AddText(&font, font.FontSize, at, colour, begin, end);
+        at.y += std::round(line_height * font.FontSize);
+    });
 }
 
 glm::vec4 unpack(ImU32 colour) {
@@ -207,7 +228,7 @@ Image PictureRenderer::render(const PictureRequest& request) {
     draw.hi = request.hi;
     draw.crisp = request.crisp;
     parts_->view.draw(parts_->field, request.map, &parts_->solids, draw);
-    if (request.arrows != nullptr) parts_->arrows.draw(*request.arrows, draw);
+    if (request.arrows != nullptr) parts_->arrows.draw(*request.arrows, draw, {.solids = request.solids});
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     return target.read();
 }

@@ -138,9 +138,9 @@ TEST_F(Render, SolidCellsAreMarked) {
     solids.upload(mask, 4, 4);
     const Image image = draw(Field(4, 4, Site::Centre, Real(0)), 40, {}, &solids);
     EXPECT_EQ(pixel(image, 15, 25).r, 255);
-    EXPECT_LT(pixel(image, 25, 25).r, 120) << "row 1 from below, column 2";
+    EXPECT_LT(pixel(image, 25, 25).r, 225) << "row 1 from below, column 2";
     EXPECT_EQ(pixel(image, 25, 15).r, 255);
-    EXPECT_GT(pixel(image, 20, 25).r, 140) << "edge";
+    EXPECT_LT(pixel(image, 20, 25).r, 120) << "edge";
     EXPECT_THROW(solids.upload(mask, 3, 4), std::invalid_argument);
 }
 
@@ -175,6 +175,10 @@ TEST_F(Render, ArrowsPointWhereTheVelocityPoints) {
     // The head is above the middle: a pixel beside the shaft lights up there only.
     EXPECT_GT(pixel(image, 32, 5).r, 60);
     EXPECT_LT(pixel(image, 33, 54).r, 30);
+    glClear(GL_COLOR_BUFFER_BIT);
+    const std::vector<std::uint8_t> rock(16, 1);
+    arrows.draw(up, how, {.spacing = 60, .solids = rock});
+    EXPECT_EQ(pixel(target.read(), 30, 30).r, 0) << "no arrows in solids";
     const FaceVelocity broken{Field(5, 4, Site::FaceX, static_cast<Real>(NAN)), Field(4, 5, Site::FaceY)};
     arrows.draw(broken, how, style);
     arrows.draw(FaceVelocity{}, how, style);

@@ -16,10 +16,11 @@ std::vector<std::string> labels(const Ticks& ticks) {
 using Labels = std::vector<std::string>;
 
 TEST(LinearTicks, AreRoundAndInside) {
-    EXPECT_EQ(labels(linear_ticks(0, 520, 5)), (Labels{"0", "200", "400"}));
-    EXPECT_EQ(labels(linear_ticks(0, 1, 4)), (Labels{"0.0", "0.5", "1.0"}));
+    EXPECT_EQ(labels(linear_ticks(0, 520, 5)), (Labels{"0", "100", "200", "300", "400", "500"}));
+    EXPECT_EQ(labels(linear_ticks(0, 1, 2)), (Labels{"0.0", "0.5", "1.0"}));
     EXPECT_EQ(labels(linear_ticks(0, 1, 5)), (Labels{"0.0", "0.2", "0.4", "0.6", "0.8", "1.0"}));
     EXPECT_EQ(labels(linear_ticks(-0.37, 1.93, 5)), (Labels{"0.0", "0.5", "1.0", "1.5"}));
+    EXPECT_EQ(labels(linear_ticks(-0.1f, 0.1f, 4)), (Labels{"-0.10", "-0.05", "0.00", "0.05", "0.10"}));
     EXPECT_EQ(labels(linear_ticks(-1, 1, 4)), (Labels{"-1.0", "-0.5", "0.0", "0.5", "1.0"}));
 }
 
