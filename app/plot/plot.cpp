@@ -206,14 +206,14 @@ std::optional<double> draw_plot(const Theme& theme, const Plot& plot, std::span<
         const auto rows = [&](float lines) {
             return std::clamp(static_cast<int>(frame_height / (lines * small)), 1, 6);
         };
-        const Ticks y_ticks = plot.log_y ? log_ticks(frame.y.lo, frame.y.hi, rows(1.7f))
+        const Ticks y_ticks = plot.log_y ? log_ticks(frame.y.lo, frame.y.hi, rows(1.4f))
                                          : linear_ticks(frame.y.lo, frame.y.hi, rows(2.6f));
         float labels = 0.0f;
         for (const double value : y_ticks.values) {
             labels = std::max(labels, text_width(*theme.small, tick_label(value, y_ticks)));
         }
         // One indent for plots stacked in a column, unless a label needs more.
-        frame.low.x += std::max(std::ceil(labels), theme.px(28.0f)) + theme.px(6.0f);
+        frame.low.x += std::max(std::ceil(labels), theme.px(36.0f)) + theme.px(6.0f);
         const int marks = std::clamp(static_cast<int>((frame.high.x - frame.low.x) / theme.px(56.0f)), 1, 8);
         if (drawn > 0) {
             draw_axes(list, theme, frame, linear_ticks(frame.x.lo, frame.x.hi, marks), y_ticks, end.x);

@@ -33,7 +33,7 @@ struct FieldDraw {
     float lo = 0.0f;             ///< value at the map's start, the field's unit
     float hi = 1.0f;             ///< value at the map's end
     bool crisp = false;          ///< squares of one value each; else bilinear between samples
-    ViewWindow window;
+    ViewWindow window{};
     /// Size of the domain, cells. 0 takes the field's own shape, a box's last face not counted.
     glm::ivec2 cells{0, 0};
     glm::vec3 outside{0.05f, 0.06f, 0.075f};  ///< colour beyond the domain, sRGB
