@@ -25,7 +25,7 @@ float sharp(float pixel) {
     return std::floor(pixel) + 0.5f;
 }
 
-/// Title on the left and legend on the right, or the legend on a line of its own if it does not fit.
+/// Title on the left and legend on the right, or the legend on lines of its own if it does not fit.
 /// @return the header's height
 float draw_header(ImDrawList& list, const Theme& theme, const Plot& plot, std::span<const Series> series,
                   ImVec2 corner, float width) {
@@ -61,10 +61,16 @@ float draw_header(ImDrawList& list, const Theme& theme, const Plot& plot, std::s
         height += small.FontSize + theme.px(5.0f);
     }
     for (const Series& one : series) {
+        const float wide = dash + gap + text_width(small, one.label);
+        if (x > left && x + wide > right + 1.0f) {
+            x = left;
+            y += small.FontSize + theme.px(4.0f);
+            height += small.FontSize + theme.px(4.0f);
+        }
         const float middle = std::floor(y + 0.55f * small.FontSize);
         list.AddRectFilled({x, middle - theme.px(1.0f)}, {x + dash, middle + theme.px(1.0f)}, one.colour);
         add_text(list, small, {x + dash + gap, y}, theme.palette.text_dim, one.label);
-        x += dash + gap + text_width(small, one.label) + apart;
+        x += wide + apart;
     }
     return height;
 }
@@ -153,7 +159,7 @@ void show_values(const Theme& theme, const Plot& plot, const Abscissa& abscissa,
     for (const Series& one : series) {
         const std::size_t n = abscissa.count(one);
         const bool reached = n > 0 && x <= abscissa.at(n - 1);
-        const std::string value = reached ? figure(static_cast<double>(one.y[abscissa.nearest(x, n)])) : "–";
+        const std::string value = reached ? reading(static_cast<double>(one.y[abscissa.nearest(x, n)])) : "–";
         ImGui::PushStyleColor(ImGuiCol_Text, one.colour);
         ImGui::TextUnformatted(one.label.data(), one.label.data() + one.label.size());
         ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + labels + theme.px(12.0f));
