@@ -35,7 +35,7 @@ TEST(ImGuiFrame, TakesAFieldAmongItsCommands) {
         list.AddCallback(
             [](const ImDrawList*, const ImDrawCmd* command) {
                 const Call& c = *static_cast<const Call*>(command->UserCallbackData);
-                c.view.draw(c.texture, *find_colour_map("white-black"), nullptr, c.draw);
+                c.view.draw(c.texture, *find_colour_map("white-black"), c.draw);
             },
             &call);
         list.AddRectFilled({80, 90}, {120, 110}, IM_COL32(0, 255, 0, 255));
