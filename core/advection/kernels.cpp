@@ -39,9 +39,10 @@ struct Cell {
     Real q00, q10, q01, q11;
 };
 
+/// Indices stay integers: a loop over pointers computed from them would not vectorise.
 inline Cell cell_at(const Real* origin, int stride, int i, int j) {
-    const Real* q = origin + (j * stride + i);
-    return {q[0], q[1], q[stride], q[stride + 1]};
+    const int at = j * stride + i;
+    return {origin[at], origin[at + 1], origin[at + stride], origin[at + stride + 1]};
 }
 
 inline Real bilinear(const Cell& q, Real x, Real y) {
@@ -77,9 +78,9 @@ struct Trace {
     static WHORL_INLINE void run(const Flow& flow, Run nodes, Vec2 start, Real dt, Displacements& out) {
         const Component<periodic> u(flow.velocity->u, flow.site);
         const Component<periodic> v(flow.velocity->v, flow.site);
-        Real* __restrict to_x = out.x;
-        Real* __restrict to_y = out.y;
-        for (int k = 0; k < nodes.count; ++k) {
+        Real* to_x = out.x;
+        Real* to_y = out.y;
+        WHORL_LANES for (int k = 0; k < nodes.count; ++k) {
             const auto velocity = [&](Vec2 d) {
                 return Vec2(u.at(nodes.i + k, nodes.j, d), v.at(nodes.i + k, nodes.j, d));
             };
@@ -95,8 +96,8 @@ struct Locate {
     static WHORL_INLINE void run(const Field& field, Run nodes, const Displacements& d, Places& out) {
         const int width = field.width();
         const int height = field.height();
-        Places* __restrict to = &out;
-        for (int k = 0; k < nodes.count; ++k) {
+        Places* to = &out;
+        WHORL_LANES for (int k = 0; k < nodes.count; ++k) {
             const AxisPlace x = place<periodic>(nodes.i + k, d.x[k], width);
             const AxisPlace y = place<periodic>(nodes.j, d.y[k], height);
             to->i[k] = x.i;
@@ -114,44 +115,42 @@ inline Real highest(const Cell& q) {
     return std::max(std::max(q.q00, q.q10), std::max(q.q01, q.q11));
 }
 
-/// Four points along one axis of memory (`step` apart), interpolated at t.
+/// Four samples along one axis of memory (`step` apart) around sample `at`, interpolated at t.
 template <class Interpolation>
-inline Real along(const Real* q, int step, Real t, Interval interval) {
-    return Interpolation::at(q[-step], q[0], q[step], q[2 * step], t, interval);
+inline Real along(const Real* origin, int at, int step, Real t, Interval interval) {
+    return Interpolation::at(origin[at - step], origin[at], origin[at + step], origin[at + 2 * step], t,
+                             interval);
 }
 
 /// One axis first, then the other, over the 4 × 4 samples around a place.
 template <class Interpolation, bool x_first>
-inline Real cubic(const Real* q, int stride, Real x, Real y, Interval in_x, Interval in_y) {
-    const int first_step = x_first ? 1 : stride;
-    const int second_step = x_first ? stride : 1;
-    const Real first_t = x_first ? x : y;
-    const Real second_t = x_first ? y : x;
+inline Real cubic(const Real* origin, int stride, int at, Real x, Real y, Interval in_x, Interval in_y) {
+    const int step = x_first ? 1 : stride;
+    const int across = x_first ? stride : 1;
+    const Real t = x_first ? x : y;
     const Interval first = x_first ? in_x : in_y;
-    const Interval second = x_first ? in_y : in_x;
-    const Real qm = along<Interpolation>(q - second_step, first_step, first_t, first);
-    const Real q0 = along<Interpolation>(q, first_step, first_t, first);
-    const Real q1 = along<Interpolation>(q + second_step, first_step, first_t, first);
-    const Real q2 = along<Interpolation>(q + 2 * second_step, first_step, first_t, first);
-    return Interpolation::at(qm, q0, q1, q2, second_t, second);
+    const Real qm = along<Interpolation>(origin, at - across, step, t, first);
+    const Real q0 = along<Interpolation>(origin, at, step, t, first);
+    const Real q1 = along<Interpolation>(origin, at + across, step, t, first);
+    const Real q2 = along<Interpolation>(origin, at + 2 * across, step, t, first);
+    return Interpolation::at(qm, q0, q1, q2, x_first ? y : x, x_first ? in_y : in_x);
 }
 
 template <class Interpolation, bool x_first, bool clamped, bool periodic>
 struct Sample {
     static WHORL_INLINE void run(const Field& field, const Places& at, int count, Values& out) {
-        const Real* __restrict origin = field.row(0);
-        Real* __restrict to = out;
+        const Real* origin = field.row(0);
+        Real* to = out;
         const int stride = field.stride();
         const int last_x = field.width() - 1;
         const int last_y = field.height() - 1;
-        for (int k = 0; k < count; ++k) {
+        WHORL_LANES for (int k = 0; k < count; ++k) {
             if constexpr (Interpolation::support == 2) {
                 to[k] = bilinear(cell_at(origin, stride, at.i[k], at.j[k]), at.x[k], at.y[k]);
             } else {
-                const Real* q = origin + (at.j[k] * stride + at.i[k]);
-                const Real value = cubic<Interpolation, x_first>(q, stride, at.x[k], at.y[k],
-                                                                 Interval{at.i[k], last_x, periodic},
-                                                                 Interval{at.j[k], last_y, periodic});
+                const Real value = cubic<Interpolation, x_first>(
+                    origin, stride, at.j[k] * stride + at.i[k], at.x[k], at.y[k],
+                    Interval{at.i[k], last_x, periodic}, Interval{at.j[k], last_y, periodic});
                 const Cell cell = cell_at(origin, stride, at.i[k], at.j[k]);
                 to[k] = clamped ? std::min(std::max(value, lowest(cell)), highest(cell)) : value;
             }
@@ -163,13 +162,13 @@ template <Expansion expansion>
 struct Share {
     static WHORL_INLINE void run(const Field& field, const Places& at, int count, const Particle& particle,
                                  const Values& at_node, Values& sum) {
-        const Real* __restrict origin = field.row(0);
-        Real* __restrict to = sum;
+        const Real* origin = field.row(0);
+        Real* to = sum;
         const Real weight = particle.weight;
         const int stride = field.stride();
         const Real to_x = -particle.offset.x;  // x_i − x_s, cells
         const Real to_y = -particle.offset.y;
-        for (int k = 0; k < count; ++k) {
+        WHORL_LANES for (int k = 0; k < count; ++k) {
             const Cell q = cell_at(origin, stride, at.i[k], at.j[k]);
             Real value = bilinear(q, at.x[k], at.y[k]);
             if constexpr (expansion != Expansion::Value) {
@@ -189,10 +188,10 @@ template <class Limiter>
 struct Limit {
     static WHORL_INLINE void run(const Field& q, const Places& at, int count, const Values& first_order,
                                  Values& value) {
-        const Real* __restrict origin = q.row(0);
-        Real* __restrict to = value;
+        const Real* origin = q.row(0);
+        Real* to = value;
         const int stride = q.stride();
-        for (int k = 0; k < count; ++k) {
+        WHORL_LANES for (int k = 0; k < count; ++k) {
             const Cell cell = cell_at(origin, stride, at.i[k], at.j[k]);
             to[k] = Limiter::limit(to[k], first_order[k], lowest(cell), highest(cell));
         }
