@@ -35,7 +35,7 @@ struct RunArguments {
 struct ConvergeArguments {
     std::string experiment;
     std::vector<std::string> set;
-    std::vector<int> resolutions{40, 80, 160};
+    std::vector<int> resolutions;
     int threads = 0;
 };
 
@@ -50,6 +50,7 @@ struct ExperimentArguments : RunArguments {};
 using Arguments =
     std::variant<int, WindowArguments, RunArguments, ExperimentArguments, ConvergeArguments, ListArguments>;
 
+/// @throws InputError for a list that is not one
 Arguments parse_arguments(int argc, char** argv);
 
 }  // namespace whorl::app
