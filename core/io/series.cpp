@@ -14,7 +14,7 @@ namespace {
 std::string figure(double value) {
     if (!std::isfinite(value)) return {};
     char buffer[40];
-    std::snprintf(buffer, sizeof buffer, "%.9g", value);
+    std::snprintf(buffer, sizeof buffer, "%.9g", value + 0.0);  // + 0.0: no "-0"
     return buffer;
 }
 
