@@ -25,7 +25,7 @@ float sharp(float pixel) {
     return std::floor(pixel) + 0.5f;
 }
 
-/// Title on the left and legend on the right, or the legend on a line of its own if it does not fit.
+/// Title on the left and legend on the right, or the legend on lines of its own if it does not fit.
 /// @return the header's height
 float draw_header(ImDrawList& list, const Theme& theme, const Plot& plot, std::span<const Series> series,
                   ImVec2 corner, float width) {
@@ -61,10 +61,16 @@ float draw_header(ImDrawList& list, const Theme& theme, const Plot& plot, std::s
         height += small.FontSize + theme.px(5.0f);
     }
     for (const Series& one : series) {
+        const float wide = dash + gap + text_width(small, one.label);
+        if (x > left && x + wide > right + 1.0f) {
+            x = left;
+            y += small.FontSize + theme.px(4.0f);
+            height += small.FontSize + theme.px(4.0f);
+        }
         const float middle = std::floor(y + 0.55f * small.FontSize);
         list.AddRectFilled({x, middle - theme.px(1.0f)}, {x + dash, middle + theme.px(1.0f)}, one.colour);
         add_text(list, small, {x + dash + gap, y}, theme.palette.text_dim, one.label);
-        x += dash + gap + text_width(small, one.label) + apart;
+        x += wide + apart;
     }
     return height;
 }
@@ -153,7 +159,7 @@ void show_values(const Theme& theme, const Plot& plot, const Abscissa& abscissa,
     for (const Series& one : series) {
         const std::size_t n = abscissa.count(one);
         const bool reached = n > 0 && x <= abscissa.at(n - 1);
-        const std::string value = reached ? figure(static_cast<double>(one.y[abscissa.nearest(x, n)])) : "–";
+        const std::string value = reached ? reading(static_cast<double>(one.y[abscissa.nearest(x, n)])) : "–";
         ImGui::PushStyleColor(ImGuiCol_Text, one.colour);
         ImGui::TextUnformatted(one.label.data(), one.label.data() + one.label.size());
         ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + labels + theme.px(12.0f));
@@ -206,14 +212,14 @@ std::optional<double> draw_plot(const Theme& theme, const Plot& plot, std::span<
         const auto rows = [&](float lines) {
             return std::clamp(static_cast<int>(frame_height / (lines * small)), 1, 6);
         };
-        const Ticks y_ticks = plot.log_y ? log_ticks(frame.y.lo, frame.y.hi, rows(1.7f))
+        const Ticks y_ticks = plot.log_y ? log_ticks(frame.y.lo, frame.y.hi, rows(1.4f))
                                          : linear_ticks(frame.y.lo, frame.y.hi, rows(2.6f));
         float labels = 0.0f;
         for (const double value : y_ticks.values) {
             labels = std::max(labels, text_width(*theme.small, tick_label(value, y_ticks)));
         }
         // One indent for plots stacked in a column, unless a label needs more.
-        frame.low.x += std::max(std::ceil(labels), theme.px(28.0f)) + theme.px(6.0f);
+        frame.low.x += std::max(std::ceil(labels), theme.px(36.0f)) + theme.px(6.0f);
         const int marks = std::clamp(static_cast<int>((frame.high.x - frame.low.x) / theme.px(56.0f)), 1, 8);
         if (drawn > 0) {
             draw_axes(list, theme, frame, linear_ticks(frame.x.lo, frame.x.hi, marks), y_ticks, end.x);

@@ -38,6 +38,16 @@ std::string print(const char* format, int precision, double value) {
     return text;
 }
 
+std::string spelt(double value, const char* format, int digits) {
+    if (std::isnan(value)) return "NaN";
+    if (std::isinf(value)) return value > 0 ? "∞" : "−∞";
+    if (value == 0.0) return "0";
+    std::string text = short_exponent(print(format, digits, value));
+    if (text.back() == '.') text.pop_back();
+    if (text.front() == '-') text = "−" + text.substr(1);
+    return text;
+}
+
 }  // namespace
 
 Ticks linear_ticks(double lo, double hi, int target) {
@@ -87,12 +97,11 @@ std::string tick_label(double value, const Ticks& ticks) {
 }
 
 std::string figure(double value, int digits) {
-    if (std::isnan(value)) return "NaN";
-    if (std::isinf(value)) return value > 0 ? "∞" : "−∞";
-    if (value == 0.0) return "0";
-    std::string text = short_exponent(print("%.*g", digits, value));
-    if (text.front() == '-') text = "−" + text.substr(1);
-    return text;
+    return spelt(value, "%.*g", digits);
+}
+
+std::string reading(double value) {
+    return spelt(value, "%#.*g", 4);
 }
 
 }  // namespace whorl::app

@@ -27,4 +27,7 @@ std::string tick_label(double value, const Ticks& ticks);
 /// spelt "NaN".
 std::string figure(double value, int digits = 4);
 
+/// A value that changes while it is read: always four significant digits, so that it keeps its width.
+std::string reading(double value);
+
 }  // namespace whorl::app

@@ -31,11 +31,10 @@ std::span<const ColourMap> colour_maps();
 /// The map of that key, or null.
 const ColourMap* find_colour_map(std::string_view key);
 
-/// A map in a one-dimensional texture, for the shaders. Linear filtering between its texels gives what
-/// ColourMap::at gives.
+/// A map in a one-dimensional texture, for the shaders: the nearest texel to t is ColourMap::at(t) in 8 bits.
 class ColourMapTexture {
   public:
-    /// Uploads the map's control points; does nothing if they are there already.
+    /// Uploads the map; does nothing if they are there already.
     void upload(const ColourMap& map);
     void bind(int unit) const;
 

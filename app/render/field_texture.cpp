@@ -2,7 +2,6 @@
 #include "app/render/field_texture.h"
 
 #include <algorithm>
-#include <stdexcept>
 #include <type_traits>
 
 namespace whorl::app {
@@ -23,25 +22,6 @@ class Unpack {
     Unpack& operator=(const Unpack&) = delete;
 };
 
-/// Makes `texture` the bound one, with storage of that size.
-void reserve(GlTexture& texture, bool same_size, GLint internal, int width, int height, GLenum format,
-             GLenum type) {
-    const bool fresh = !texture;
-    if (fresh) texture = GlTexture::create();
-    glBindTexture(GL_TEXTURE_2D, texture.name());
-    if (!fresh && same_size) return;
-    glTexImage2D(GL_TEXTURE_2D, 0, internal, width, height, 0, format, type, nullptr);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-}
-
-void bind_texture(const GlTexture& texture, int unit) {
-    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-    glBindTexture(GL_TEXTURE_2D, texture.name());
-}
-
 }  // namespace
 
 void FieldTexture::upload(const Field& field) {
@@ -50,7 +30,16 @@ void FieldTexture::upload(const Field& field) {
     height_ = field.height();
     site_ = field.site();
     if (empty()) return;
-    reserve(texture_, same_size, GL_R32F, width_, height_, GL_RED, GL_FLOAT);
+    const bool fresh = !texture_;
+    if (fresh) texture_ = GlTexture::create();
+    glBindTexture(GL_TEXTURE_2D, texture_.name());
+    if (fresh || !same_size) {
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, width_, height_, 0, GL_RED, GL_FLOAT, nullptr);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    }
     if constexpr (std::is_same_v<Real, float>) {
         const Unpack unpack(field.stride(), 4);
         glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width_, height_, GL_RED, GL_FLOAT, field.row(0));
@@ -67,28 +56,8 @@ void FieldTexture::upload(const Field& field) {
 }
 
 void FieldTexture::bind(int unit) const {
-    bind_texture(texture_, unit);
-}
-
-void MaskTexture::upload(std::span<const std::uint8_t> mask, int nx, int ny) {
-    if (mask.empty()) {
-        nx_ = ny_ = 0;
-        return;
-    }
-    if (mask.size() != static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny)) {
-        throw std::invalid_argument("a mask of solid cells has another size than its grid");
-    }
-    const bool same_size = nx == nx_ && ny == ny_;
-    nx_ = nx;
-    ny_ = ny;
-    const Unpack unpack(nx, 1);
-    reserve(texture_, same_size, GL_R8UI, nx, ny, GL_RED_INTEGER, GL_UNSIGNED_BYTE);
-    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, nx, ny, GL_RED_INTEGER, GL_UNSIGNED_BYTE, mask.data());
-    glBindTexture(GL_TEXTURE_2D, 0);
-}
-
-void MaskTexture::bind(int unit) const {
-    bind_texture(texture_, unit);
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glBindTexture(GL_TEXTURE_2D, texture_.name());
 }
 
 }  // namespace whorl::app

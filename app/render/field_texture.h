@@ -1,8 +1,6 @@
-// Fields and masks in textures.
+// Fields in textures.
 #pragma once
 
-#include <cstdint>
-#include <span>
 #include <vector>
 
 #include "app/render/gl_object.h"
@@ -28,23 +26,6 @@ class FieldTexture {
     int height_ = 0;
     Site site_ = Site::Centre;
     std::vector<float> narrowed_;  ///< used where Real is double
-};
-
-/// A mask of solid cells as an R8UI texture, a texel a cell, bottom row first.
-class MaskTexture {
-  public:
-    /// @param mask  nx × ny, row by row, non-zero is solid (Boundary::solids()); empty takes the mask away
-    /// @throws std::invalid_argument if the mask has another size.
-    void upload(std::span<const std::uint8_t> mask, int nx, int ny);
-    void bind(int unit) const;
-    bool empty() const { return nx_ == 0; }
-    int nx() const { return nx_; }
-    int ny() const { return ny_; }
-
-  private:
-    GlTexture texture_;
-    int nx_ = 0;
-    int ny_ = 0;
 };
 
 }  // namespace whorl::app

@@ -1,4 +1,4 @@
-// A field on screen: its texture through a colour map, with solid cells.
+// A field on screen: its texture through a colour map.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -29,11 +29,11 @@ struct ViewWindow {
 struct FieldDraw {
     PixelRect rect;
     int framebuffer_height = 0;  ///< of what is bound, pixels
-    float scale = 1.0f;          ///< framebuffer pixels to a point, for the hatching
+    float scale = 1.0f;          ///< framebuffer pixels to a point, for what has a size of its own
     float lo = 0.0f;             ///< value at the map's start, the field's unit
     float hi = 1.0f;             ///< value at the map's end
     bool crisp = false;          ///< squares of one value each; else bilinear between samples
-    ViewWindow window;
+    ViewWindow window{};
     /// Size of the domain, cells. 0 takes the field's own shape, a box's last face not counted.
     glm::ivec2 cells{0, 0};
     glm::vec3 outside{0.05f, 0.06f, 0.075f};  ///< colour beyond the domain, sRGB
@@ -48,17 +48,18 @@ class FieldView {
     FieldView();
 
     /// Draws into the bound framebuffer. Values that are no number show as a magenta chequer. A pixel that
-    /// spans several samples averages their colours. Leaves viewport, program and vertex array as they were;
-    /// leaves units 0 to 2 with no texture.
-    /// @param solids  null or empty for none
-    void draw(const FieldTexture& field, const ColourMap& map, const MaskTexture* solids,
-              const FieldDraw& draw);
+    /// spans several samples averages their colours. Leaves viewport, program, vertex array and switches as
+    /// they were, texture units 0 and 1 with no texture.
+    void draw(const FieldTexture& field, const ColourMap& map, const FieldDraw& draw);
 
   private:
-    Program program_;
+    // One program each: a software rasteriser pays for both sides of a condition.
+    Program smooth_;
+    Program crisp_;
+    Program smooth_averaged_;
+    Program crisp_averaged_;
     GlVertexArray vertices_;
     ColourMapTexture map_;
-    MaskTexture no_solids_;
 };
 
 }  // namespace whorl::app

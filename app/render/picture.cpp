@@ -11,6 +11,7 @@
 #include "app/render/colour_bar.h"
 #include "app/render/framebuffer.h"
 #include "app/render/gl_state.h"
+#include "app/render/solids.h"
 #include "app/render/theme.h"
 
 namespace whorl::app {
@@ -149,7 +150,7 @@ struct PictureRenderer::Parts {
     FieldView view;
     Arrows arrows;
     FieldTexture field;
-    MaskTexture solids;
+    Solids solids;
 
     void load(float scale, bool wants_light) {
         if (loaded && theme.scale == scale && light == wants_light) return;
@@ -227,7 +228,8 @@ Image PictureRenderer::render(const PictureRequest& request) {
     draw.lo = request.lo;
     draw.hi = request.hi;
     draw.crisp = request.crisp;
-    parts_->view.draw(parts_->field, request.map, &parts_->solids, draw);
+    parts_->view.draw(parts_->field, request.map, draw);
+    parts_->solids.draw(request.map, draw);
     if (request.arrows != nullptr) parts_->arrows.draw(*request.arrows, draw, {.solids = request.solids});
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     return target.read();

@@ -42,9 +42,8 @@ class PictureRenderer {
     PictureRenderer& operator=(const PictureRenderer&) = delete;
 
     /// The same request gives the same bytes on the same machine.
-    /// @throws std::runtime_error if the picture is larger than the driver draws, std::invalid_argument if
-    /// the
-    ///         field is empty.
+    /// @throws std::runtime_error if the picture is larger than the driver draws.
+    /// @throws std::invalid_argument if the field is empty or the mask has another size.
     Image render(const PictureRequest& request);
 
   private:

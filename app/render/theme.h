@@ -43,8 +43,8 @@ struct Theme {
 };
 
 /// Replaces the fonts and the style of the current ImGui context. A font file that is not installed is
-/// replaced by ImGui's own. Call between frames; if ImGui_ImplOpenGL3 has drawn already, call
-/// ImGui_ImplOpenGL3_DestroyFontsTexture before.
+/// replaced by ImGui's own. Call between frames. To change the scale of a window that has drawn already, call
+/// ImGui_ImplOpenGL3_DestroyFontsTexture before and ImGui_ImplOpenGL3_CreateFontsTexture after.
 Theme load_theme(float content_scale, const Palette& palette = dark_palette());
 
 /// Colour with its alpha multiplied by `alpha` in [0, 1].

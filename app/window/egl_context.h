@@ -4,7 +4,8 @@
 namespace whorl::app {
 
 /// OpenGL 3.3 core through EGL's surfaceless platform: no display, no window, no default framebuffer; draw
-/// into a Framebuffer. Current on the constructing thread from construction to destruction.
+/// into a Framebuffer. Current on the constructing thread from construction to destruction. One at a time:
+/// they would share EGL's display, which the first to go closes.
 class EglContext {
   public:
     /// @throws std::runtime_error with one line that says what is missing if the machine gives no OpenGL 3.3.

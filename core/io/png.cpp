@@ -139,6 +139,9 @@ std::pair<File, fs::path> open_aside(const fs::path& path) {
     if (path.empty() || !path.has_filename()) fail("write", path, "this names no file");
     std::error_code ignored;
     if (fs::is_directory(path, ignored)) fail("write", path, "this is a directory");
+    // Renaming onto a device or a pipe would take its place.
+    if (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored))
+        fail("write", path, "this is no file");
     const fs::path parent = path.has_parent_path() ? path.parent_path() : fs::path(".");
     if (!fs::exists(parent, ignored)) fail("write", path, "there is no directory " + parent.string());
     std::string aside = path.string() + ".part-XXXXXX";

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <vector>
 
-#include "app/render/picture.h"
 #include "tests/support/headless_ui.h"
 
 namespace whorl::app {
@@ -59,19 +58,6 @@ TEST(PlotWidget, TakesAnyCurves) {
         }
     }
     SUCCEED();
-}
-
-TEST(PlotWidget, APictureBetweenTwoFramesDisturbsNeither) {
-    HeadlessUi ui(300, 200, 1.0f);
-    const std::vector<float> y = wave(100);
-    const Series series[] = {{"E", ui.theme.palette.series[0], y}};
-    const auto draw = [&] { draw_plot(ui.theme, {.title = "Energy"}, series); };
-    for (int k = 0; k < 2; ++k) ui.frame(draw);
-    const Image before = ui.picture();
-    const Field field(4, 4, Site::Centre, Real(0.5));
-    EXPECT_GT(render_picture({.field = field, .map = colour_maps().front(), .width = 100}).width, 0);
-    ui.frame(draw);
-    EXPECT_EQ(ui.picture(), before);
 }
 
 TEST(PlotWidget, SixPlotsOfTenThousandSamplesAreQuick) {

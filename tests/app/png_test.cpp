@@ -136,6 +136,7 @@ TEST_F(Png, SaysWhyAPathCannotBeWritten) {
     EXPECT_NE(reason(directory_).find("directory"), std::string::npos);
     EXPECT_NE(reason("").find("no file"), std::string::npos);
     EXPECT_NE(reason("/proc/a.png"), "");
+    EXPECT_NE(reason("/dev/null").find("no file"), std::string::npos);
     EXPECT_EQ(files(), 0u);
     EXPECT_EQ(reason(file_), "");
     EXPECT_EQ(files(), 1u) << "only the picture that was then written";

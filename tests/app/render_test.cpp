@@ -7,6 +7,7 @@
 #include "app/render/arrows.h"
 #include "app/render/framebuffer.h"
 #include "app/render/picture.h"
+#include "app/render/solids.h"
 #include "app/window/egl_context.h"
 
 namespace whorl::app {
@@ -31,7 +32,7 @@ class Render : public ::testing::Test {
         EXPECT_EQ(got.r, got.g);
         EXPECT_EQ(got.g, got.b);
     }
-    Image draw(const Field& field, int side, FieldDraw how = {}, const MaskTexture* solids = nullptr) {
+    Image draw(const Field& field, int side, FieldDraw how = {}, std::span<const std::uint8_t> solid = {}) {
         Framebuffer target(side, side);
         target.bind();
         FieldTexture texture;
@@ -39,7 +40,10 @@ class Render : public ::testing::Test {
         if (how.rect.width == 0) how.rect = {0, 0, side, side};
         how.framebuffer_height = side;
         FieldView view;
-        view.draw(texture, *find_colour_map("white-black"), solids, how);
+        view.draw(texture, *find_colour_map("white-black"), how);
+        Solids solids;
+        solids.upload(solid, field.width(), field.height());
+        solids.draw(*find_colour_map("white-black"), how);
         EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
         return target.read();
     }
@@ -132,16 +136,16 @@ TEST_F(Render, ShowsWhatIsNoNumber) {
 }
 
 TEST_F(Render, SolidCellsAreMarked) {
-    MaskTexture solids;
     std::vector<std::uint8_t> mask(16, 0);
     mask[4 * 1 + 2] = 1;
-    solids.upload(mask, 4, 4);
-    const Image image = draw(Field(4, 4, Site::Centre, Real(0)), 40, {}, &solids);
+    const Image image = draw(Field(4, 4, Site::Centre, Real(0)), 40, {}, mask);
     EXPECT_EQ(pixel(image, 15, 25).r, 255);
     EXPECT_LT(pixel(image, 25, 25).r, 225) << "row 1 from below, column 2";
     EXPECT_EQ(pixel(image, 25, 15).r, 255);
     EXPECT_LT(pixel(image, 20, 25).r, 120) << "edge";
-    EXPECT_THROW(solids.upload(mask, 3, 4), std::invalid_argument);
+    EXPECT_LT(pixel(image, 25, 20).r, 120) << "edge above";
+    EXPECT_EQ(pixel(image, 25, 19).r, 255) << "edges lie inside";
+    EXPECT_THROW(Solids().upload(mask, 3, 4), std::invalid_argument);
 }
 
 TEST_F(Render, AFieldOfAnotherSizeTakesTheTextureOver) {

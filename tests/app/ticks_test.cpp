@@ -72,5 +72,12 @@ TEST(Figure, IsShort) {
     EXPECT_EQ(figure(10000.0, 6), "10000");
 }
 
+TEST(Reading, KeepsItsWidth) {
+    EXPECT_EQ(reading(24500.0), "2.450e4");
+    EXPECT_EQ(reading(1.0), "1.000");
+    EXPECT_EQ(reading(1234.0), "1234");
+    EXPECT_EQ(reading(0.0), "0");
+}
+
 }  // namespace
 }  // namespace whorl::app
