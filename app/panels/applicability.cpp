@@ -18,7 +18,8 @@ std::string family(const SchemeSet& s) {
 
 std::string why_idle(std::string_view key, const SchemeSet& s, const Scene& scene) {
     if (key == "base" && !s.predictor_corrector()) {
-        return label(s.advector.info()) + " is a single step: only predictor-correctors stand on a base step.";
+        return label(s.advector.info()) +
+               " is a single step: only predictor-correctors stand on a base step.";
     }
     if (key == "interpolation" && s.affine()) {
         return family(s) + " takes values and gradients from linear weights [thesis eq. 4.2–4.3].";

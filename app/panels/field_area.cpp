@@ -41,8 +41,7 @@ std::string reading(const PanelContext& context, const FieldPlacement& place) {
     const WorldPoint at = place.world(px, py);
     const int i = std::clamp(static_cast<int>(at.x / s.grid.h), 0, s.grid.nx - 1);
     const int j = std::clamp(static_cast<int>(at.y / s.grid.h), 0, s.grid.ny - 1);
-    static thread_local Field scratch;
-    const Field& field = context.view.quantity->field(s, scratch);
+    const Field& field = *context.field;
     const bool solid = s.solids[static_cast<std::size_t>(j) * s.grid.nx + i] != 0;
     char line[96];
     std::snprintf(line, sizeof line, "(%.2f, %.2f)  cell %d, %d  ", at.x, at.y, i, j);
@@ -58,26 +57,22 @@ void at_right(const Theme& theme, float right, float y, float room, const std::s
     ImGui::PopFont();
 }
 
-std::string title_of(const Quantity& quantity) {
-    return quantity.key == "density" ? "Smoke density" : std::string(quantity.label);
-}
-
 void draw_header(PanelContext& context, const FieldPlacement& place, ImVec2 corner, float width) {
     const Theme& theme = context.theme;
-    const Quantity& quantity = *context.view.quantity;
+    const View& view = *context.view.shown;
     ImGui::SetCursorScreenPos(corner);
     ImGui::PushFont(theme.title);
-    ImGui::TextUnformatted(title_of(quantity).c_str());
+    text(theme.palette.text, view.label);
     const float used = ImGui::GetItemRectSize().x;
     ImGui::PopFont();
     const std::string under = reading(context, place);
     if (!under.empty()) {
         at_right(theme, corner.x + width, corner.y + theme.px(3), width - used - theme.px(12), under);
-    } else if (!quantity.unit.empty()) {
+    } else if (!view.unit.empty()) {
         ImGui::SameLine(0, theme.px(8));
         ImGui::SetCursorScreenPos({ImGui::GetCursorScreenPos().x, corner.y + theme.px(4)});
         ImGui::PushFont(theme.small);
-        text(theme.palette.text_dim, quantity.unit);
+        text(theme.palette.text_dim, view.unit);
         ImGui::PopFont();
     }
     ImGui::PushFont(theme.small);
@@ -92,8 +87,8 @@ void draw_brush(const PanelContext& context, const FieldPlacement& place, ImDraw
     const double pixels = place.rect.width / place.width;
     const auto radius = static_cast<float>(context.scene().brush.radius * pixels);
     const ImGuiIO& io = ImGui::GetIO();
-    const ImU32 colour = io.KeyShift || io.KeyCtrl ? context.theme.palette.series[1]
-                                                   : context.theme.palette.accent;
+    const ImU32 colour =
+        io.KeyShift || io.KeyCtrl ? context.theme.palette.series[1] : context.theme.palette.accent;
     const float line = context.theme.px(1);
     list.AddCircle(mouse, radius + line, IM_COL32(0, 0, 0, 140), 0, line);
     list.AddCircle(mouse, radius, colour, 0, line);
@@ -145,8 +140,8 @@ void draw_failure(PanelContext& context, const PixelRect& rect) {
     const auto& failure = context.snapshot().failure;
     if (!failure) return;
     const Theme& theme = context.theme;
-    ImGui::SetCursorScreenPos({static_cast<float>(rect.x) + theme.px(12), static_cast<float>(rect.y) +
-                                                                              theme.px(12)});
+    ImGui::SetCursorScreenPos(
+        {static_cast<float>(rect.x) + theme.px(12), static_cast<float>(rect.y) + theme.px(12)});
     ImGui::PushStyleColor(ImGuiCol_ChildBg, IM_COL32(74, 26, 22, 240));
     ImGui::PushStyleColor(ImGuiCol_Border, theme.palette.accent);
     ImGui::BeginChild("failure", {static_cast<float>(rect.width) - theme.px(24), theme.px(92)}, true,
@@ -197,8 +192,8 @@ FieldPlacement draw_field_area(PanelContext& context) {
     } else {
         ImDrawList& list = *ImGui::GetWindowDrawList();
         list.AddRect({left - 1, top - 1}, {left + width + 1, top + height + 1}, theme.palette.border);
-        const ColourRange& range = context.view.range;
-        const ColourBar bar{context.view.map(), range.lo(), range.hi()};
+        const Range range = context.view.range.ends();
+        const ColourBar bar{context.view.map(), range.lo, range.hi};
         draw_colour_bar(list, theme, bar, {left, top + height + theme.px(14)}, width);
         list.PushClipRect({left, top}, {left + width, top + height}, true);
         draw_brush(context, place, list);

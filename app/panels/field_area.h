@@ -9,9 +9,9 @@ namespace whorl::app {
 
 /// Where the field is on screen, for those who draw and paint on it.
 struct FieldPlacement {
-    PixelRect rect;                 ///< empty if the run is drawn as a curve
-    double width = 0, height = 0;   ///< of the domain, length
-    bool covered = false;           ///< a list or the help lies over it: do not paint
+    PixelRect rect;                ///< empty if the run is drawn as a curve
+    double width = 0, height = 0;  ///< of the domain, length
+    bool covered = false;          ///< a list or the help lies over it: do not paint
 
     bool drawn() const { return rect.width > 0 && rect.height > 0; }
     bool contains(double x, double y) const {

@@ -22,8 +22,8 @@ constexpr Row mouse[] = {
     {"Ctrl+click a slider", "type a value"},
 };
 constexpr Row keys[] = {
-    {"Space", "play, pause"},   {".", "one step"},          {"R", "reset"},          {"1 – 9", "presets"},
-    {"F12", "picture as PNG"},  {"H", "this help"},         {"Esc", "close this"},   {"Q, Ctrl+Q", "quit"},
+    {"Space", "play, pause"},  {".", "one step"},  {"R", "reset"},        {"1 – 9", "presets"},
+    {"F12", "picture as PNG"}, {"H", "this help"}, {"Esc", "close this"}, {"Q, Ctrl+Q", "quit"},
 };
 
 void rows(const Theme& theme, const char* title, std::span<const Row> table) {

@@ -7,9 +7,9 @@ constexpr std::size_t tracks = static_cast<std::size_t>(Track::Count);
 
 /// In the order of Track.
 std::array<double, tracks> values(const Measures& m) {
-    return {m.density_percent,  m.kinetic_energy,   m.enstrophy,  m.divergence_before,
-            m.divergence_after, m.ms.forces,        m.ms.projection, m.ms.advection,
-            m.ms.total,         m.errors.L1,        m.errors.L2,  m.errors.Linf};
+    return {m.density_percent,  m.kinetic_energy, m.enstrophy,     m.divergence_before,
+            m.divergence_after, m.ms.forces,      m.ms.projection, m.ms.advection,
+            m.ms.total,         m.errors.L1,      m.errors.L2,     m.errors.Linf};
 }
 
 void keep_even(std::vector<float>& samples) {

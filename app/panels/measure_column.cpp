@@ -94,9 +94,9 @@ void draw_frame_time(PanelContext& context, float height) {
     plot.unit = "ms";
     plot.x_name = "frame";
     plot.x_first = static_cast<double>(frames.first());
-    plot.y_range = Interval{0, std::max(25.0, 1.1 * static_cast<double>(*std::max_element(
-                                                        frames.intervals().begin(),
-                                                        frames.intervals().end())))};
+    plot.y_range =
+        Interval{0, std::max(25.0, 1.1 * static_cast<double>(*std::max_element(frames.intervals().begin(),
+                                                                               frames.intervals().end())))};
     plot.size = {0, height};
     const auto& colours = context.theme.palette.series;
     const Series series[] = {{"frame", colours[0], frames.intervals()}, {"busy", colours[1], frames.work()}};
@@ -108,9 +108,9 @@ void figures_line(PanelContext& context) {
     const Measures& m = context.history.last();
     const Theme& theme = context.theme;
     ImGui::PushFont(theme.mono);
-    const std::string smoke = "Σρ " + (m.density_percent == m.density_percent
-                                           ? figure(m.density_percent, 4) + " %"
-                                           : std::string("–"));
+    const std::string smoke =
+        "Σρ " +
+        (m.density_percent == m.density_percent ? figure(m.density_percent, 4) + " %" : std::string("–"));
     text(theme.palette.text, smoke);
     ImGui::SameLine(0, theme.px(18));
     text(theme.palette.text, "CFL " + figure(m.cfl, 3));
@@ -134,9 +134,9 @@ void draw_measure_column(PanelContext& context) {
     ImGui::Separator();
     figures_line(context);
     ImGui::BeginChild("plots", {0, 0}, false, ImGuiWindowFlags_None);
-    const auto count =
-        1 + std::count_if(std::begin(charts), std::end(charts),
-                          [&](const Chart& chart) { return wanted(chart, context.snapshot()); });
+    const auto count = 1 + std::count_if(std::begin(charts), std::end(charts), [&](const Chart& chart) {
+                           return wanted(chart, context.snapshot());
+                       });
     const float gap = ImGui::GetStyle().ItemSpacing.y;
     const float room = ImGui::GetContentRegionAvail().y / static_cast<float>(count) - gap;
     const float height = std::floor(std::clamp(room, theme.px(118), theme.px(240)));

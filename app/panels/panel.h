@@ -20,6 +20,7 @@ struct PanelContext {
     ViewState& view;
     const History& history;
     const FrameLog& frames;
+    const Field* field;  ///< what the chosen view shows of the snapshot
     HoverHelp& help;
     Trace& trace;
 

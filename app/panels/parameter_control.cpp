@@ -80,8 +80,8 @@ void number(PanelContext& context, const Parameter& p, const char* id) {
     if (p.kind == Kind::Integer) {
         int whole = static_cast<int>(value);
         const std::string format = "%d" + (p.unit.empty() ? "" : " " + p.unit);
-        changed = ImGui::SliderInt(id, &whole, static_cast<int>(p.slider_min),
-                                   static_cast<int>(p.slider_max), format.c_str(), flags);
+        changed = ImGui::SliderInt(id, &whole, static_cast<int>(p.slider_min), static_cast<int>(p.slider_max),
+                                   format.c_str(), flags);
         if (changed) value = whole;
     } else {
         changed = ImGui::SliderScalar(id, ImGuiDataType_Double, &value, &p.slider_min, &p.slider_max,

@@ -61,14 +61,14 @@ void Remote::set(const Parameter& p, double value) {
         if (&p != &interpolation && conflict(wanted).empty()) {
             const double before = interpolation.get(scene_);
             push_edit(interpolation, linear);
-            notices_.info(
-                interpolation.label + " is now " +
-                std::string(interpolation.choices[static_cast<std::size_t>(linear)].label) + " (was " +
-                std::string(interpolation.choices[static_cast<std::size_t>(before)].label) + "): " +
-                std::string(p.kind == Parameter::Kind::Choice
-                                ? p.choices[static_cast<std::size_t>(value)].label
-                                : std::string_view(p.label)) +
-                " takes values and gradients from linear weights [thesis eq. 4.2–4.3]");
+            notices_.info(interpolation.label + " is now " +
+                          std::string(interpolation.choices[static_cast<std::size_t>(linear)].label) +
+                          " (was " +
+                          std::string(interpolation.choices[static_cast<std::size_t>(before)].label) + "): " +
+                          std::string(p.kind == Parameter::Kind::Choice
+                                          ? p.choices[static_cast<std::size_t>(value)].label
+                                          : std::string_view(p.label)) +
+                          " takes values and gradients from linear weights [thesis eq. 4.2–4.3]");
         }
     }
     push_edit(p, value);

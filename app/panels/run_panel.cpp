@@ -30,9 +30,9 @@ void transport(PanelContext& context) {
     ImGui::SameLine();
     if (ImGui::Button("Reset", {-FLT_MIN, 0})) context.remote.restart();
     context.trace.control("reset");
-    context.help.item(context.theme, "reset",
-                      {"", "Back to the start of the scene, with the schemes as they are set. Key: R", "", "",
-                       ""});
+    context.help.item(
+        context.theme, "reset",
+        {"", "Back to the start of the scene, with the schemes as they are set. Key: R", "", "", ""});
 }
 
 void scene_item(PanelContext& context, std::string_view key, const Scene& scene, std::string_view help,

@@ -11,22 +11,24 @@ namespace whorl::app {
 
 namespace {
 
-void quantity_chips(PanelContext& context) {
-    constexpr int columns = 3;
+void view_chips(PanelContext& context) {
+    const int columns = ImGui::GetContentRegionAvail().x > context.theme.px(290) ? 3 : 2;
     const float gap = std::floor(0.5f * ImGui::GetStyle().ItemSpacing.x);
-    const float width = std::floor((ImGui::GetContentRegionAvail().x - (columns - 1) * gap) / columns);
+    const float width =
+        std::floor((ImGui::GetContentRegionAvail().x - static_cast<float>(columns - 1) * gap) /
+                   static_cast<float>(columns));
     int k = 0;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(gap, gap));
-    for (const Quantity& quantity : quantities()) {
-        if (!quantity.available(context.snapshot())) continue;
+    for (const View& view : views()) {
+        if (!available(view, context.snapshot())) continue;
         if (k++ % columns != 0) ImGui::SameLine();
-        const std::string label(quantity.label);
-        if (chip(context.theme, label.c_str(), context.view.quantity == &quantity, width)) {
-            context.view.quantity = &quantity;
+        const std::string label = fitted(view.label, width) + "##" + std::string(view.key);
+        if (chip(context.theme, label.c_str(), context.view.shown == &view, width)) {
+            context.view.shown = &view;
         }
-        const std::string key = "view=" + std::string(quantity.key);
+        const std::string key = "view=" + std::string(view.key);
         context.trace.control(key);
-        context.help.item(context.theme, key, {quantity.label, quantity.help, quantity.unit, "", ""});
+        context.help.item(context.theme, key, {view.label, view.help, view.unit, "", ""});
     }
     ImGui::PopStyleVar();
 }
@@ -35,20 +37,19 @@ void map_list(PanelContext& context) {
     row_label(context.theme, "Colours");
     const ColourMap& chosen = context.view.map();
     if (ImGui::BeginCombo("##map", std::string(chosen.label).c_str())) {
-        const bool diverging = context.view.quantity->diverging();
         for (const ColourMap& map : colour_maps()) {
-            if ((map.kind == ColourMap::Kind::Diverging) != diverging) continue;
+            if ((map.kind == ColourMap::Kind::Diverging) != (context.view.shown->middle != nullptr)) continue;
             if (ImGui::Selectable(std::string(map.label).c_str(), map.key == chosen.key)) {
-                (diverging ? context.view.diverging_map : context.view.sequential_map) = map.key;
+                context.view.maps[context.view.shown] = &map;
             }
             context.trace.control("map=" + std::string(map.key));
         }
         ImGui::EndCombo();
     }
     context.trace.control("map");
-    context.help.item(context.theme, "map",
-                      {"Colours", "Diverging maps for what has a neutral value, sequential ones otherwise.",
-                       "", "", ""});
+    context.help.item(
+        context.theme, "map",
+        {"Colours", "Diverging maps for what has a neutral value, sequential ones otherwise.", "", "", ""});
 }
 
 void range(PanelContext& context) {
@@ -60,9 +61,9 @@ void range(PanelContext& context) {
         {"Hold the range", "Otherwise the colour bar follows the least and greatest value.", "", "", ""});
     row_label(context.theme, "Range");
     ImGui::BeginDisabled(!range.held());
-    float ends[2] = {range.lo(), range.hi()};
+    float ends[2] = {range.ends().lo, range.ends().hi};
     const float speed = std::max(1e-6f, 0.005f * (ends[1] - ends[0]));
-    if (ImGui::DragFloat2("##range", ends, speed, 0, 0, "%.4g")) range.set(ends[0], ends[1]);
+    if (ImGui::DragFloat2("##range", ends, speed, 0, 0, "%.4g")) range.set({ends[0], ends[1]});
     ImGui::EndDisabled();
     context.help.item(context.theme, "range",
                       {"Range", "Values at the ends of the colour bar.", "Drag, or Ctrl+click to type", "",
@@ -72,16 +73,16 @@ void range(PanelContext& context) {
 }  // namespace
 
 void draw_view_panel(PanelContext& context) {
-    quantity_chips(context);
+    view_chips(context);
     map_list(context);
     range(context);
     const float left = ImGui::GetCursorPosX();
     const float half = 0.5f * ImGui::GetContentRegionAvail().x;
     if (check("Crisp pixels", context.view.crisp)) context.view.crisp = !context.view.crisp;
     context.trace.control("crisp");
-    context.help.item(context.theme, "crisp",
-                      {"Crisp pixels", "Squares of one value each; otherwise smooth between the cells.", "",
-                       "", ""});
+    context.help.item(
+        context.theme, "crisp",
+        {"Crisp pixels", "Squares of one value each; otherwise smooth between the cells.", "", "", ""});
     ImGui::SameLine(left + half);
     if (check("Arrows", context.view.arrows)) context.view.arrows = !context.view.arrows;
     context.trace.control("arrows");

@@ -1,28 +1,33 @@
 // What a person has chosen to look at, apart from the run.
 #pragma once
 
+#include <map>
 #include <optional>
-#include <string>
 
 #include "app/panels/colour_range.h"
-#include "app/panels/quantity.h"
 #include "app/render/colour_map.h"
+#include "app/views/views.h"
 
 namespace whorl::app {
 
+/// Whether a view has a field in this snapshot.
+inline bool available(const View& view, const Snapshot& snapshot) {
+    static thread_local Field scratch;
+    return view.field(snapshot, scratch) != nullptr;
+}
+
 struct ViewState {
-    const Quantity* quantity = &quantities().front();
-    std::string sequential_map = "magma";
-    std::string diverging_map = "blue-dark-red";
-    bool crisp = false;   ///< squares of one value each
-    bool arrows = false;  ///< velocity over the field
-    bool help = false;    ///< the keys are shown
+    const View* shown = &views().front();
+    std::map<const View*, const ColourMap*> maps;  ///< chosen ones; others have the view's own
+    bool crisp = false;                            ///< squares of one value each
+    bool arrows = false;                           ///< velocity over the field
+    bool help = false;                             ///< the keys are shown
     ColourRange range;
     std::optional<double> marker;  ///< x of the plot sample under the pointer, a hairline in the others
 
     const ColourMap& map() const {
-        const ColourMap* found = find_colour_map(quantity->diverging() ? diverging_map : sequential_map);
-        return found != nullptr ? *found : colour_maps().front();
+        const auto chosen = maps.find(shown);
+        return chosen != maps.end() ? *chosen->second : *find_colour_map(shown->map);
     }
 };
 
