@@ -21,8 +21,7 @@ int open_window(const WindowArguments& a) {
     options.threads = a.threads;
     options.content_scale = a.content_scale;
     options.trace = a.trace;
-    if (!a.size.empty() &&
-        std::sscanf(a.size.c_str(), "%dx%d", &options.width, &options.height) != 2) {
+    if (!a.size.empty() && std::sscanf(a.size.c_str(), "%dx%d", &options.width, &options.height) != 2) {
         throw whorl::InputError("--size " + a.size + ": give WIDTHxHEIGHT, such as 1600x1000");
     }
     return run_window(options);

@@ -29,6 +29,7 @@ void state_lines(PanelContext& context) {
                   context.remote.steps_per_second());
     text(palette.text_dim, line);
     ImGui::Separator();
+    ImGui::Dummy({0, context.theme.px(1)});
 }
 
 }  // namespace
@@ -41,12 +42,12 @@ void draw_control_column(PanelContext& context) {
         // What every run needs comes without a heading.
         const bool open = first || heading(context.theme, panel.title, panel.open);
         context.trace.control("panel=" + std::string(panel.title));
+        first = false;
         if (open) {
             ImGui::PushID(panel.title);
             panel.draw(context);
             ImGui::PopID();
         }
-        first = false;
     }
     ImGui::EndChild();
 }

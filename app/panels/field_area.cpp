@@ -26,9 +26,22 @@ float aspect(const Grid& grid) {
     return static_cast<float>(grid.ny) / static_cast<float>(grid.nx);
 }
 
-const char* hints(const Snapshot& s) {
-    if (s.grid.dimensions() == 1) return "Space pauses  ·  . steps  ·  R resets  ·  F12 picture  ·  H keys";
-    return "Drag to inject smoke  ·  right-drag to push  ·  Space pauses  ·  F12 picture  ·  H keys";
+/// What to do with the field, from all of it to what fits a narrow window.
+const char* hints(const Snapshot& s, float width) {
+    constexpr const char* flat[] = {"Space pauses  ·  . steps  ·  R resets  ·  F12 picture  ·  H keys",
+                                    "Space pauses  ·  H keys"};
+    constexpr const char* plane[] = {
+        "Drag to inject smoke  ·  right-drag to push  ·  shift-drag to build  ·  Space pauses  ·  F12 "
+        "picture  "
+        "·  H keys",
+        "Drag to inject smoke  ·  right-drag to push  ·  Space pauses  ·  F12 picture  ·  H keys",
+        "Drag to inject smoke  ·  right-drag to push  ·  H keys", "Drag to inject smoke  ·  H keys"};
+    const std::span<const char* const> all =
+        s.grid.dimensions() == 1 ? std::span<const char* const>(flat) : plane;
+    for (const char* line : all) {
+        if (ImGui::CalcTextSize(line).x <= width) return line;
+    }
+    return all.back();
 }
 
 /// Position, value and cell under the mouse.
@@ -77,7 +90,7 @@ void draw_header(PanelContext& context, const FieldPlacement& place, ImVec2 corn
     }
     ImGui::PushFont(theme.small);
     ImGui::SetCursorScreenPos({corner.x, corner.y + theme.title->FontSize + theme.px(6)});
-    text(theme.palette.text_dim, fitted(hints(context.snapshot()), width));
+    text(theme.palette.text_dim, fitted(hints(context.snapshot(), width), width));
     ImGui::PopFont();
 }
 

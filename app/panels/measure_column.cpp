@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "app/panels/widgets.h"
@@ -55,17 +56,25 @@ bool wanted(const Chart& chart, const Snapshot& s) {
     return true;
 }
 
-/// Full scale is the whole of it when all is kept, and more detail is of no use.
+/// Shares of smoke get a scale that does not blow up rounding; times one that a factorisation now and then
+/// does not flatten.
 std::optional<Interval> range_of(const Chart& chart, std::span<const float> y) {
-    if (chart.curves.data() != total || y.empty()) return {};
-    double lo = 99, hi = 101;
-    for (const float value : y) {
-        if (value != value) continue;
-        lo = std::min(lo, static_cast<double>(value));
-        hi = std::max(hi, static_cast<double>(value));
+    std::vector<float> known(y.begin(), y.end());
+    std::erase_if(known, [](float value) { return std::isnan(value); });
+    if (known.empty()) return {};
+    if (chart.curves.data() == total) {
+        const auto [least, most] = std::minmax_element(known.begin(), known.end());
+        const double lo = std::min(99.0, static_cast<double>(*least));
+        const double hi = std::max(101.0, static_cast<double>(*most));
+        const double air = 0.08 * (hi - lo);
+        return Interval{lo - air, hi + air};
     }
-    const double air = 0.08 * (hi - lo);
-    return Interval{lo - air, hi + air};
+    if (chart.curves.data() == phases) {
+        const auto high = known.begin() + static_cast<long>(0.98 * static_cast<double>(known.size()));
+        std::nth_element(known.begin(), high, known.end());
+        if (*high > 0) return Interval{0, 1.4 * static_cast<double>(*high)};
+    }
+    return {};
 }
 
 std::optional<double> draw(PanelContext& context, const Chart& chart, float height) {
@@ -114,10 +123,10 @@ void figures_line(PanelContext& context) {
     text(theme.palette.text, smoke);
     ImGui::SameLine(0, theme.px(18));
     text(theme.palette.text, "CFL " + figure(m.cfl, 3));
-    const std::string divergence = "max|∇·u| " + figure(m.divergence_after, 2);
+    const std::string largest = "max|∇·u| " + figure(m.divergence_after, 2);
     ImGui::SameLine(0, theme.px(18));
-    if (ImGui::CalcTextSize(divergence.c_str()).x <= ImGui::GetContentRegionAvail().x) {
-        text(theme.palette.text, divergence);
+    if (ImGui::CalcTextSize(largest.c_str()).x <= ImGui::GetContentRegionAvail().x) {
+        text(theme.palette.text, largest);
     } else {
         ImGui::NewLine();
     }

@@ -16,16 +16,10 @@ using Kind = Parameter::Kind;
 
 /// As many decimals as a slider of this range needs to be read by.
 std::string number_format(const Parameter& p) {
-    std::string format;
-    if (p.logarithmic && p.slider_min < 1e-4) {
-        format = "%.1e";
-    } else {
-        const double scale = p.logarithmic ? 10 * p.slider_min : p.slider_max - p.slider_min;
-        const int decimals = std::clamp(static_cast<int>(std::lround(2.5 - std::log10(scale))), 0, 6);
-        format = "%." + std::to_string(decimals) + "f";
-    }
-    constexpr std::size_t short_unit = 7;
-    return p.unit.size() <= short_unit ? format + " " + p.unit : format;
+    if (p.logarithmic && p.slider_min < 1e-4) return "%.1e";
+    const double scale = p.logarithmic ? 10 * p.slider_min : p.slider_max - p.slider_min;
+    const int decimals = std::clamp(static_cast<int>(std::lround(2.5 - std::log10(scale))), 0, 6);
+    return "%." + std::to_string(decimals) + "f";
 }
 
 std::string detail(const Parameter& p) {
@@ -75,17 +69,14 @@ void number(PanelContext& context, const Parameter& p, const char* id) {
     double value = p.get(context.scene());
     float& held = *storage.GetFloatRef(dragged, std::nanf(""));
     if (on_release && !std::isnan(held)) value = static_cast<double>(held);
-    const ImGuiSliderFlags flags = p.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None;
+    const SliderRange range{p.slider_min, p.slider_max, p.logarithmic};
     bool changed = false;
     if (p.kind == Kind::Integer) {
         int whole = static_cast<int>(value);
-        const std::string format = "%d" + (p.unit.empty() ? "" : " " + p.unit);
-        changed = ImGui::SliderInt(id, &whole, static_cast<int>(p.slider_min), static_cast<int>(p.slider_max),
-                                   format.c_str(), flags);
+        changed = slider(context.theme, id, whole, range, p.unit);
         if (changed) value = whole;
     } else {
-        changed = ImGui::SliderScalar(id, ImGuiDataType_Double, &value, &p.slider_min, &p.slider_max,
-                                      number_format(p).c_str(), flags);
+        changed = slider(context.theme, id, value, range, p.unit, number_format(p).c_str());
     }
     if (!on_release) {
         if (changed) context.remote.set(p, value);

@@ -75,10 +75,9 @@ void scenes(PanelContext& context) {
 
 void pace(PanelContext& context) {
     Pace pace = context.remote.pace();
-    row_label(context.theme, "Steps per frame");
+    row_label(context.theme, "Steps a frame");
     ImGui::BeginDisabled(pace.unlimited);
-    bool changed = ImGui::SliderInt("##steps per frame", &pace.steps_per_frame, 1, 16, "%d",
-                                    ImGuiSliderFlags_AlwaysClamp);
+    bool changed = slider(context.theme, "##steps per frame", pace.steps_per_frame, {1, 16}, "");
     ImGui::EndDisabled();
     context.trace.control("steps-per-frame");
     context.help.item(context.theme, "steps-per-frame",

@@ -26,6 +26,18 @@ bool chip(const Theme& theme, const char* label, bool chosen, float width);
 /// A check box that looks like the theme. @return whether it was clicked
 bool check(const char* label, bool value);
 
+/// The ends of a slider, and whether it goes by ratios.
+struct SliderRange {
+    double min, max;
+    bool logarithmic = false;
+};
+/// Sliders that write their value beside the grab, not under it, with the unit where there is room.
+/// @param format  of the number alone, as printf takes it
+/// @return whether the value was changed; typed ones may lie beyond the ends
+bool slider(const Theme& theme, const char* id, double& value, SliderRange range, std::string_view unit,
+            const char* format);
+bool slider(const Theme& theme, const char* id, int& value, SliderRange range, std::string_view unit);
+
 /// Text in a colour of the palette.
 void text(ImU32 colour, std::string_view line);
 

@@ -55,7 +55,8 @@ void BrushTool::send_smoke(Remote& remote) {
     const Brush& brush = remote.scene().brush;
     const double elapsed = std::max(s.measures.time - last_time_, s.scene.dt);
     last_time_ = s.measures.time;
-    SmokeStroke stroke{.radius = brush.radius,
+    SmokeStroke stroke{.along = {},
+                       .radius = brush.radius,
                        .density = brush.density,
                        .temperature = brush.temperature,
                        .push = brush.push,
@@ -82,7 +83,7 @@ void BrushTool::send_smoke(Remote& remote) {
 
 void BrushTool::send_obstacle(Remote& remote) {
     if (path_.size() == 1 && !fresh_) return;
-    ObstacleStroke stroke{.radius = remote.scene().brush.radius, .solid = mode_ == Mode::Paint};
+    ObstacleStroke stroke{.along = {}, .radius = remote.scene().brush.radius, .solid = mode_ == Mode::Paint};
     for (std::size_t k = path_.size() == 1 ? 0 : 1; k < path_.size(); ++k) {
         const WorldPoint a = path_[k > 0 ? k - 1 : 0];
         stroke.along = {a.x, a.y, path_[k].x, path_[k].y};

@@ -35,7 +35,12 @@ Workbench::Workbench(const WindowOptions& options, GlfwWindow& window)
 
 void Workbench::frame() {
     clock_.wait();
-    if (frames_.frames() > 0 || clock_.time() > 0) frames_.add(clock_.interval_ms(), clock_.work_ms());
+    // The first frames open the window and build fonts and shaders.
+    if (warm_up_ > 0) {
+        --warm_up_;
+    } else {
+        frames_.add(clock_.interval_ms(), clock_.work_ms());
+    }
     notices_.set_time(clock_.time());
     player_.begin_frame();
     const std::vector<InputEvent>& events = window_.begin_frame();

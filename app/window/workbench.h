@@ -32,6 +32,7 @@ class Workbench {
     GlfwWindow& window_;
     Trace trace_;
     FrameClock clock_;
+    int warm_up_ = 5;  ///< frames that are not measured yet
     Notices notices_;
     ViewState view_;
     History history_;
