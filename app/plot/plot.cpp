@@ -100,7 +100,7 @@ void draw_axes(ImDrawList& list, const Theme& theme, const Frame& frame, const T
 }
 
 void draw_curve(ImDrawList& list, const Theme& theme, const Frame& frame, const Abscissa& abscissa,
-                const std::vector<CurvePoint>& curve, ImU32 colour, std::vector<ImVec2>& points) {
+                const std::vector<CurvePoint>& curve, ImU32 colour, bool dots, std::vector<ImVec2>& points) {
     // ImGui draws whole widths from a texture, several times faster than others.
     const float thickness = std::max(1.0f, theme.px(1.5f));
     const auto flush = [&] {
@@ -116,6 +116,12 @@ void draw_curve(ImDrawList& list, const Theme& theme, const Frame& frame, const 
         if (points.size() > 1) {
             list.AddPolyline(points.data(), static_cast<int>(points.size()), colour, ImDrawFlags_None,
                              thickness);
+        }
+        const float radius = theme.px(2.5f);
+        const bool apart = points.size() > 1 && (points.back().x - points.front().x) >
+                                                    2.5f * radius * static_cast<float>(points.size());
+        for (std::size_t k = 0; dots && apart && k < points.size(); ++k) {
+            list.AddCircleFilled(points[k], radius, colour, 10);
         }
         points.clear();
     };
@@ -235,7 +241,7 @@ std::optional<double> draw_plot(const Theme& theme, const Plot& plot, std::span<
                           {frame.high.x + reach, frame.high.y + reach}, true);
         std::vector<ImVec2> points;
         for (std::size_t k = series.size(); k-- > 0;) {
-            draw_curve(list, theme, frame, abscissa, curves[k], series[k].colour, points);
+            draw_curve(list, theme, frame, abscissa, curves[k], series[k].colour, series[k].dots, points);
         }
         list.PopClipRect();
 
