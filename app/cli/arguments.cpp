@@ -41,6 +41,11 @@ void add_outputs(CLI::App& verb, RunArguments& run) {
     verb.add_option("--picture", run.picture, "draw the last step as a PNG")->type_name("FILE.png");
     verb.add_option("--view", run.view, "what the picture shows")->type_name("VIEW");
     verb.add_option("--map", run.map, "colours of the picture")->type_name("MAP");
+    verb.add_option("--range", run.range, "values at the ends of the colours; else all that occur")
+        ->type_name("LO,HI");
+    verb.add_option("--width", run.width, "pixels across the field")
+        ->type_name("N")
+        ->check(CLI::Range(100, 8000));
     verb.add_flag("--light", run.light, "dark on white, for paper");
     verb.add_flag("--crisp", run.crisp, "cells as squares of one colour");
 }

@@ -26,7 +26,8 @@ struct RunArguments {
     std::optional<int> steps;
     std::vector<int> at;
     std::string csv, picture, timing;  ///< files; empty for none, `-` for standard output
-    std::string view = "density", map;
+    std::string view = "density", map, range;
+    int width = 900;
     bool light = false, crisp = false;
     int threads = 0;
 };

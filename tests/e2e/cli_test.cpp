@@ -152,6 +152,7 @@ TEST_F(CommandLine, RefusesBadInputInOneLine) {
     expect_refused(whorl("run"), "scene");
     expect_refused(whorl("run plume --steps 1 --picture p.png --map viridid"), "did you mean viridis");
     expect_refused(whorl("run plume --steps 1 --picture p.png --view dens"), "did you mean density");
+    expect_refused(whorl("run plume --steps 1 --picture p.png --range 3,1"), "rising");
     expect_refused(whorl("experiment rotaton"), "did you mean rotation");
     expect_refused(whorl("experiment rotation --at 3,x"), "3,x");
     expect_refused(whorl("run missing.toml"), "missing.toml");
