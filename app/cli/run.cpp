@@ -50,7 +50,7 @@ int run_scene(const RunArguments& arguments) {
     apply_settings(scene, arguments.set);
     const int steps = arguments.steps.value_or(scene.steps);
     if (steps < 0) throw InputError("--steps = " + std::to_string(steps) + " is out of range: 0 or more");
-    check_outputs(arguments);
+    PictureOutput picture(arguments);
 
     Pool pool(arguments.threads);
     Lane lane(scene, pool);
@@ -73,7 +73,7 @@ int run_scene(const RunArguments& arguments) {
     }
     if (csv) csv->finish();
     if (!arguments.timing.empty()) write_timing(arguments.timing, times);
-    if (!arguments.picture.empty()) write_picture(lane, pool, arguments);
+    picture.write(lane, pool);
     if (arguments.csv.empty() && arguments.timing.empty()) {
         const Measures& m = lane.simulation().measures();
         std::printf(
