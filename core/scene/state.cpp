@@ -37,9 +37,7 @@ State still_air(const Scene& scene) {
 }
 
 void resample_field(const Field& from, const Boundary& boundary, Field& to, const Grid& grid) {
-    for (int j = 0; j < to.height(); ++j) {
-        for (int i = 0; i < to.width(); ++i) to(i, j) = value_at(from, boundary, world(to, grid, i, j));
-    }
+    write_samples(to, grid, [&](WorldPoint at) { return value_at(from, boundary, at); });
 }
 
 }  // namespace

@@ -42,6 +42,15 @@ inline WorldPoint world(const Field& field, const Grid& grid, int i, int j) {
     return {(i + offset_x(field.site())) * grid.h, (j + offset_y(field.site())) * grid.h};
 }
 
+/// Sets every sample of a field to `value(point)`, the point in length units.
+template <class Value>
+void write_samples(Field& field, const Grid& grid, const Value& value) {
+    for (int j = 0; j < field.height(); ++j) {
+        for (int i = 0; i < field.width(); ++i)
+            field(i, j) = static_cast<Real>(value(world(field, grid, i, j)));
+    }
+}
+
 /// The bilinear value of a field at a point in length units; outside the domain the nearest one.
 Real value_at(const Field& field, const Boundary& boundary, WorldPoint at);
 
