@@ -1,23 +1,40 @@
 // One row at a time, written so that compilers vectorise: no branch, no alias, sums in fixed lanes.
 #include "core/pressure/poisson_rows.h"
 
+#include <cmath>
+
 #include "core/pressure/vector_clones.h"
 
 namespace whorl::rows {
 namespace {
 
-inline double size(double x) {
-    return x < 0 ? -x : x;
-}
-
 inline double sum_of(const double* lane) {
     return ((lane[0] + lane[1]) + (lane[2] + lane[3])) + ((lane[4] + lane[5]) + (lane[6] + lane[7]));
 }
 
-inline double largest_of(const double* lane) {
-    double most = 0;
-    for (int k = 0; k < lanes; ++k) most = lane[k] > most ? lane[k] : most;
-    return most;
+/// Cells at a time: values go through a short array, and then into lanes, each a loop that vectorises.
+constexpr int block = 64;
+
+inline void add_in_lanes(const double* __restrict values, int n, double* __restrict lane) {
+    int i = 0;
+    for (; i + lanes <= n; i += lanes) {
+        for (int k = 0; k < lanes; ++k) lane[k] += values[i + k];
+    }
+    for (int k = 0; i < n; ++i, ++k) lane[k] += values[i];
+}
+
+/// Raises each of `block` maxima to its value's size.
+inline void raise(const double* __restrict values, int n, double* __restrict most) {
+    for (int i = 0; i < n; ++i) {
+        const double x = std::fabs(values[i]);
+        most[i] = x > most[i] ? x : most[i];
+    }
+}
+
+inline double largest_of(const double* most) {
+    double all = 0;
+    for (int k = 0; k < block; ++k) all = most[k] > all ? most[k] : all;
+    return all;
 }
 
 /// r − A z of one cell, 0 where it has no open face.
@@ -36,52 +53,34 @@ WHORL_VECTOR_CLONES
 double residual(const std::uint8_t* __restrict d, const double* __restrict b, const double* __restrict south,
                 const double* __restrict here, const double* __restrict north, Ends ends, double scale,
                 double* __restrict r, int n) {
-    double lane[lanes] = {};
-    const auto value = [&](int i, double w, double e) {
-        return scale * left_over<double>(d[i], b[i], south[i], w, here[i], e, north[i]);
-    };
-    const double first = value(0, ends.west, n > 1 ? here[1] : ends.east);
-    const double last = n > 1 ? value(n - 1, here[n - 2], ends.east) : first;
-    int i = 1;
-    if (r) {
-        for (; i + lanes < n; i += lanes) {
-            for (int k = 0; k < lanes; ++k) {
-                const double x = value(i + k, here[i + k - 1], here[i + k + 1]);
-                r[i + k] = x;
-                lane[k] = size(x) > lane[k] ? size(x) : lane[k];
-            }
+    double most[block] = {};
+    double values[block];
+    for (int start = 0; start < n; start += block) {
+        const int end = start + block < n ? start + block : n;
+        const int first = start > 0 ? start : 1;
+        const int last = end < n ? end : n - 1;
+        for (int i = first; i < last; ++i)
+            values[i - start] =
+                scale * left_over<double>(d[i], b[i], south[i], here[i - 1], here[i], here[i + 1], north[i]);
+        if (start == 0)
+            values[0] = scale * left_over<double>(d[0], b[0], south[0], ends.west, here[0],
+                                                  n > 1 ? here[1] : ends.east, north[0]);
+        if (end == n && n > 1)
+            values[n - 1 - start] = scale * left_over<double>(d[n - 1], b[n - 1], south[n - 1], here[n - 2],
+                                                              here[n - 1], ends.east, north[n - 1]);
+        if (r) {
+            for (int i = start; i < end; ++i) r[i] = values[i - start];
         }
-    } else {
-        for (; i + lanes < n; i += lanes) {
-            for (int k = 0; k < lanes; ++k) {
-                const double x = value(i + k, here[i + k - 1], here[i + k + 1]);
-                lane[k] = size(x) > lane[k] ? size(x) : lane[k];
-            }
-        }
+        raise(values, end - start, most);
     }
-    for (; i < n - 1; ++i) {
-        const double x = value(i, here[i - 1], here[i + 1]);
-        if (r) r[i] = x;
-        lane[0] = size(x) > lane[0] ? size(x) : lane[0];
-    }
-    if (r) {
-        r[0] = first;
-        r[n - 1] = last;
-    }
-    lane[0] = size(first) > lane[0] ? size(first) : lane[0];
-    lane[0] = size(last) > lane[0] ? size(last) : lane[0];
-    return largest_of(lane);
+    return largest_of(most);
 }
 
 WHORL_VECTOR_CLONES
 double largest(const double* __restrict x, int n) {
-    double lane[lanes] = {};
-    int i = 0;
-    for (; i + lanes <= n; i += lanes) {
-        for (int k = 0; k < lanes; ++k) lane[k] = size(x[i + k]) > lane[k] ? size(x[i + k]) : lane[k];
-    }
-    for (; i < n; ++i) lane[0] = size(x[i]) > lane[0] ? size(x[i]) : lane[0];
-    return largest_of(lane);
+    double most[block] = {};
+    for (int start = 0; start < n; start += block) raise(x + start, n - start < block ? n - start : block, most);
+    return largest_of(most);
 }
 
 WHORL_VECTOR_CLONES
@@ -141,15 +140,16 @@ WHORL_VECTOR_CLONES
 double energy(const std::uint8_t* __restrict d, const float* __restrict south, const float* __restrict here,
               const float* __restrict north, int n) {
     double lane[lanes] = {};
-    const auto value = [&](int i) {
-        const double c = here[i];
-        return -c * left_over<double>(d[i], 0, south[i], here[i - 1], c, here[i + 1], north[i]);
-    };
-    int i = 0;
-    for (; i + lanes <= n; i += lanes) {
-        for (int k = 0; k < lanes; ++k) lane[k] += value(i + k);
+    double values[block];
+    for (int start = 0; start < n; start += block) {
+        const int end = start + block < n ? start + block : n;
+        for (int i = start; i < end; ++i) {
+            const double c = here[i];
+            values[i - start] =
+                -c * left_over<double>(d[i], 0, south[i], here[i - 1], c, here[i + 1], north[i]);
+        }
+        add_in_lanes(values, end - start, lane);
     }
-    for (int k = 0; i < n; ++i, ++k) lane[k] += value(i);
     return sum_of(lane);
 }
 
@@ -157,26 +157,22 @@ WHORL_VECTOR_CLONES
 double descend(const std::uint8_t* __restrict d, const float* __restrict south, const float* __restrict here,
                const float* __restrict north, double alpha, double gain, double* __restrict r,
                double* __restrict p, int n) {
-    double lane[lanes] = {};
-    const auto value = [&](int i) {
-        const double c = here[i];
-        const double a =
-            left_over<double>(d[i], 0, south[i], here[i - 1], c, here[i + 1], north[i]);
-        p[i] += gain * c;
-        return r[i] += alpha * a;
-    };
-    int i = 0;
-    for (; i + lanes <= n; i += lanes) {
-        for (int k = 0; k < lanes; ++k) {
-            const double x = size(value(i + k));
-            lane[k] = x > lane[k] ? x : lane[k];
+    double most[block] = {};
+    double values[block];
+    for (int start = 0; start < n; start += block) {
+        const int end = start + block < n ? start + block : n;
+        for (int i = start; i < end; ++i) {
+            const double c = here[i];
+            values[i - start] =
+                r[i] + alpha * left_over<double>(d[i], 0, south[i], here[i - 1], c, here[i + 1], north[i]);
         }
+        for (int i = start; i < end; ++i) {
+            p[i] += gain * static_cast<double>(here[i]);
+            r[i] = values[i - start];
+        }
+        raise(values, end - start, most);
     }
-    for (; i < n; ++i) {
-        const double x = size(value(i));
-        lane[0] = x > lane[0] ? x : lane[0];
-    }
-    return largest_of(lane);
+    return largest_of(most);
 }
 
 }  // namespace whorl::rows
