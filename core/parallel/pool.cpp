@@ -19,8 +19,8 @@ namespace {
 constexpr int bands_per_thread = 4;
 /// Below this a band is not worth waking a thread for.
 constexpr int min_rows_per_band = 4;
-/// How long a thread watches for the next loop before it sleeps. Waking takes 20 to 50 µs, longer than most loops
-/// over a grid; a solver starts the next one within a few.
+/// How long a thread watches for the next loop before it sleeps. Waking takes 20 to 50 µs, longer than most
+/// loops over a grid; a solver starts the next one within a few.
 constexpr auto patience = std::chrono::microseconds(20);
 
 /// Watches until `ready()` holds or patience ends.

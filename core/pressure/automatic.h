@@ -5,8 +5,9 @@
 
 namespace whorl {
 
-/// Picks by the measurements in docs/performance.md: diagonalization for a domain without obstacles as long as its
-/// nx ny (nx + ny) products take less time than a few cycles over nx ny cells, else multigrid. Neither factorises.
+/// Picks by the measurements in docs/performance.md: diagonalization for a domain without obstacles as long
+/// as its nx ny (nx + ny) products take less time than a few cycles over nx ny cells, else multigrid. Neither
+/// factorises.
 class Automatic : public PressureSolver {
   public:
     static constexpr SchemeInfo info{"auto", "Automatic", "",

@@ -16,8 +16,8 @@ struct CoarseRow {
 /// out = w b / Σ k_f
 void first_smoothing(const CoarseRow& row, const float* b, float w, float* out, int n);
 /// out = z + w (b − A z) / Σ k_f
-void smoothing(const CoarseRow& row, const float* b, const float* south, const float* here, const float* north,
-               float w, float* out, int n);
+void smoothing(const CoarseRow& row, const float* b, const float* south, const float* here,
+               const float* north, float w, float* out, int n);
 /// out = b − A z
 void smoothed_residual(const CoarseRow& row, const float* b, const float* south, const float* here,
                        const float* north, float* out, int n);
@@ -42,7 +42,7 @@ void gather(const Leaning& lean, const float* below, const float* low, const flo
 /// @param beside  the parents' neighbours on that row's side
 /// @param towards the leaning towards them
 /// @param z, out  2 n fine values
-void carry(const float* across, const float* towards, const float* parents, const float* beside, const float* z,
-           float* out, int n);
+void carry(const float* across, const float* towards, const float* parents, const float* beside,
+           const float* z, float* out, int n);
 
 }  // namespace whorl::rows

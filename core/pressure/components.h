@@ -32,9 +32,9 @@ class Components {
     int nx_ = 0;
     int ny_ = 0;
     std::vector<int> labels_;
-    std::vector<int> cells_;       ///< cells of each component
-    int largest_ = 0;              ///< the component of most cells
-    std::vector<int> small_;       ///< the cells of all other components: few, in most domains
+    std::vector<int> cells_;          ///< cells of each component
+    int largest_ = 0;                 ///< the component of most cells
+    std::vector<int> small_;          ///< the cells of all other components: few, in most domains
     std::vector<std::uint8_t> keep_;  ///< 1 in cells of the largest component, else 0
     mutable std::vector<double> sums_, row_sums_, small_values_;
 };

@@ -9,8 +9,8 @@
 namespace whorl {
 namespace {
 
-/// How much of the dropped fill-in moves to the diagonal, and the part of a diagonal entry below which it is taken
-/// whole instead.  [Bridson 2015, fig. 5.5]
+/// How much of the dropped fill-in moves to the diagonal, and the part of a diagonal entry below which it is
+/// taken whole instead.  [Bridson 2015, fig. 5.5]
 constexpr double tau = 0.97;
 constexpr double sigma = 0.25;
 /// Enough for 4096² cells without obstacles; reached only by a tolerance below rounding.
@@ -48,7 +48,8 @@ void ConjugateGradient::prepare(const Boundary& boundary, Pool& pool) {
     const int nx = poisson_.nx();
     const int ny = poisson_.ny();
     const std::size_t cells = static_cast<std::size_t>(nx) * ny;
-    for (std::vector<double>* values : {&root_, &west_, &south_, &east_, &north_, &r_, &z_, &direction_, &product_, &zeros_})
+    for (std::vector<double>* values :
+         {&root_, &west_, &south_, &east_, &north_, &r_, &z_, &direction_, &product_, &zeros_})
         values->assign(cells, 0);
 
     const auto fluid = [&](int i, int j) {
@@ -87,8 +88,9 @@ void ConjugateGradient::prepare(const Boundary& boundary, Pool& pool) {
     setup_ms_ = watch.ms();
 }
 
-/// z = (L Lᵀ)⁻¹ r. L has 1 / root on its diagonal and −root of the cell on its left or below beside it, so that
-/// root L has 1 on the diagonal, and −west and −south: both solves are a vector loop and a short recurrence.
+/// z = (L Lᵀ)⁻¹ r. L has 1 / root on its diagonal and −root of the cell on its left or below beside it, so
+/// that root L has 1 on the diagonal, and −west and −south: both solves are a vector loop and a short
+/// recurrence.
 void ConjugateGradient::precondition() {
     const int nx = poisson_.nx();
     const int ny = poisson_.ny();
@@ -120,7 +122,8 @@ void ConjugateGradient::precondition() {
     }
 }
 
-SolveReport ConjugateGradient::solve(std::span<const double> b, double enough, std::span<double> p, Pool& pool) {
+SolveReport ConjugateGradient::solve(std::span<const double> b, double enough, std::span<double> p,
+                                     Pool& pool) {
     const Stopwatch watch;
     SolveReport report;
     report.solver = info.key;
@@ -131,13 +134,15 @@ SolveReport ConjugateGradient::solve(std::span<const double> b, double enough, s
         std::fill(p.begin(), p.end(), 0.0);
         return report;
     }
-    double peak = poisson_.residual(b, p, 1, r_, pool);
-    if (!(peak <= largest)) {  // the guess is worse than none
+    // Near 1, by a power of 2, so that squares neither overflow nor vanish whatever b's unit.
+    const double scale = std::exp2(-std::ilogb(largest));
+    double peak = poisson_.residual(b, p, scale, r_, pool);
+    if (!(peak <= scale * largest)) {  // the guess is worse than none
         std::fill(p.begin(), p.end(), 0.0);
-        peak = poisson_.residual(b, p, 1, r_, pool);
+        peak = poisson_.residual(b, p, scale, r_, pool);
     }
     double before = 0;
-    while (peak > enough && report.iterations < most_iterations) {
+    while (peak > scale * enough && report.iterations < most_iterations) {
         precondition();
         const double along = dot(r_.data(), z_.data(), n);
         scale_and_add(z_.data(), before > 0 ? along / before : 0, direction_.data(), n);
@@ -145,13 +150,13 @@ SolveReport ConjugateGradient::solve(std::span<const double> b, double enough, s
         const double energy = dot(direction_.data(), product_.data(), n);
         if (!(energy > 0)) break;
         const double alpha = along / energy;
-        add(alpha, direction_.data(), p.data(), n);
+        add(alpha / scale, direction_.data(), p.data(), n);
         add(-alpha, product_.data(), r_.data(), n);
         peak = poisson_.largest(r_, pool);
         before = along;
         ++report.iterations;
     }
-    report.residual = peak / largest;
+    report.residual = peak / (scale * largest);
     report.solve_ms = watch.ms();
     return report;
 }

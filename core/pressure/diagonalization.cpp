@@ -45,8 +45,8 @@ void Diagonalization::Direction::prepare(int n, bool wraps) {
         half->to_modes = strided(set->values, set->count, half->stride, true);
         half->to_cells = strided(set->values, set->count, half->stride, false);
         half->modes_of_row = panels_of(set->values, set->count, set->count);
-        half->cells_of_modes = panels_of(strided(set->values, set->count, set->count, true), set->count,
-                                         set->count);
+        half->cells_of_modes =
+            panels_of(strided(set->values, set->count, set->count, true), set->count, set->count);
         half->eigenvalues = set->eigenvalues;
     }
 }
@@ -59,9 +59,8 @@ void Diagonalization::prepare(const Boundary& boundary, Pool& pool) {
     stride_ = (x_.even.panels() + x_.odd.panels()) * panel_width + skew;
     folded_.assign(static_cast<std::size_t>(stride_) * poisson_.ny(), 0);
     modes_.assign(folded_.size(), 0);
-    columns_.assign(static_cast<std::size_t>(2) * poisson_.ny() * panel_width *
-                        (x_.even.panels() + x_.odd.panels()),
-                    0);
+    columns_.assign(
+        static_cast<std::size_t>(2) * poisson_.ny() * panel_width * (x_.even.panels() + x_.odd.panels()), 0);
     setup_ms_ = watch.ms();
 }
 

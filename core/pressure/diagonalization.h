@@ -46,9 +46,9 @@ class Diagonalization : public PressureSolver {
 
     Poisson poisson_;
     Direction x_, y_;
-    int stride_ = 0;              ///< of `folded_` and `modes_`
-    std::vector<double> folded_;  ///< rows folded: the even part, then from a panel's edge the odd part
-    std::vector<double> modes_;   ///< rows by their modes in x, laid out likewise
+    int stride_ = 0;               ///< of `folded_` and `modes_`
+    std::vector<double> folded_;   ///< rows folded: the even part, then from a panel's edge the odd part
+    std::vector<double> modes_;    ///< rows by their modes in x, laid out likewise
     std::vector<double> columns_;  ///< a few columns, folded, and by their modes in y
     double setup_ms_ = 0;
 };

@@ -1,5 +1,5 @@
-// Own loops rather than Eigen's product: its templates, compiled here for newer vector units, would be merged by
-// the linker with those of other files and then run on machines that lack them.
+// Own loops rather than Eigen's product: its templates, compiled here for newer vector units, would be merged
+// by the linker with those of other files and then run on machines that lack them.
 #include "core/pressure/gemm.h"
 
 #include <cstddef>
@@ -56,8 +56,8 @@ Multiply fastest() {
 
 }  // namespace
 
-void multiply(const double* left, int left_stride, const double* panel, int inner, double* out, int out_stride,
-              int rows) {
+void multiply(const double* left, int left_stride, const double* panel, int inner, double* out,
+              int out_stride, int rows) {
     static const Multiply chosen = fastest();
     chosen(left, left_stride, panel, inner, out, out_stride, rows);
 }

@@ -6,10 +6,10 @@
 
 namespace whorl {
 
-/// Conjugate gradient whose preconditioner is one V-cycle [McAdams et al. 2010, alg. 3]. The cycle and the search
-/// direction are single, the pressure, the residual and all sums double: b − A p stays true to rounding, for
-/// A times a float direction is exact in double but for rounding.
-/// About as many iterations at any size; preparing costs less than solving.
+/// Conjugate gradient whose preconditioner is one V-cycle [McAdams et al. 2010, alg. 3]. The cycle and the
+/// search direction are single, the pressure, the residual and all sums double: b − A p stays true to
+/// rounding, for A times a float direction is exact in double but for rounding. About as many iterations at
+/// any size; preparing costs less than solving.
 class Multigrid : public PressureSolver {
   public:
     static constexpr SchemeInfo info{

@@ -5,8 +5,8 @@
 namespace whorl {
 namespace {
 
-/// 1 / the roots of the Chebyshev polynomial of degree 2 on [½, 2], (5 ± 3/√2) / 4. The eigenvalues of D⁻¹A lie
-/// in [0, 2]; coarser grids take care of those below ½.  [Adams et al. 2003]
+/// 1 / the roots of the Chebyshev polynomial of degree 2 on [½, 2], (5 ± 3/√2) / 4. The eigenvalues of D⁻¹A
+/// lie in [0, 2]; coarser grids take care of those below ½.  [Adams et al. 2003]
 constexpr float first_weight = 0.56164F;
 constexpr float second_weight = 1.38952F;
 
@@ -48,9 +48,7 @@ void down_band(Level& level, CoarseLevel& coarse, int begin, int end, int unit) 
     const Ring beside{&scratch, unit * rows_of_scratch + 4};
     const Ring left{&scratch, unit * rows_of_scratch + 8};
     // Rows inside the band are kept, those beside it are needed on the way alone.
-    const auto twice = [&](int t) {
-        return t >= 2 * begin && t < last ? level.work.half.row(t) : beside[t];
-    };
+    const auto twice = [&](int t) { return t >= 2 * begin && t < last ? level.work.half.row(t) : beside[t]; };
     // With an odd number of wrapped rows the last coarse row has no upper children.
     const bool childless = shape.wraps_y && shape.ny % 2 != 0;
 

@@ -7,8 +7,8 @@
 namespace whorl {
 namespace {
 
-/// A child's centre lies a quarter of a coarse cell from its parent's, in x and in y: linear interpolation over
-/// three centres.  [Wesseling 1992, sec. 5.4]
+/// A child's centre lies a quarter of a coarse cell from its parent's, in x and in y: linear interpolation
+/// over three centres.  [Wesseling 1992, sec. 5.4]
 constexpr float lean = 0.25F;
 
 int half_up(int n) {
@@ -81,12 +81,12 @@ void FineLevel::first_smoothing(int j, float w, float* out) const {
 }
 void FineLevel::smoothing(int j, const float* south, const float* here, const float* north, float w,
                           float* out) const {
-    rows::smoothing(poisson->degrees(j), b + static_cast<std::size_t>(j) * shape.nx, south, here, north, w, out,
-                    shape.nx);
+    rows::smoothing(poisson->degrees(j), b + static_cast<std::size_t>(j) * shape.nx, south, here, north, w,
+                    out, shape.nx);
 }
 void FineLevel::residual(int j, const float* south, const float* here, const float* north, float* out) const {
-    rows::smoothed_residual(poisson->degrees(j), b + static_cast<std::size_t>(j) * shape.nx, south, here, north,
-                            out, shape.nx);
+    rows::smoothed_residual(poisson->degrees(j), b + static_cast<std::size_t>(j) * shape.nx, south, here,
+                            north, out, shape.nx);
 }
 void FineLevel::after_carry(int j, float* row) const {
     rows::mask(poisson->degrees(j), row, shape.nx);

@@ -38,14 +38,15 @@ struct FineLevel {
     LevelWork work;
 
     void first_smoothing(int j, float w, float* out) const;
-    void smoothing(int j, const float* south, const float* here, const float* north, float w, float* out) const;
+    void smoothing(int j, const float* south, const float* here, const float* north, float w,
+                   float* out) const;
     void residual(int j, const float* south, const float* here, const float* north, float* out) const;
     void after_carry(int j, float* row) const;
 };
 
-/// A coarser grid. Its faces' coefficients are the open parts of the finer faces that make them: the flux through
-/// a face twice as long between centres twice as far apart.  [McAdams et al. 2010, sec. 3, whose coarse cells
-/// are all or nothing; open parts keep the number of iterations lower around small obstacles]
+/// A coarser grid. Its faces' coefficients are the open parts of the finer faces that make them: the flux
+/// through a face twice as long between centres twice as far apart.  [McAdams et al. 2010, sec. 3, whose
+/// coarse cells are all or nothing; open parts keep the number of iterations lower around small obstacles]
 struct CoarseLevel {
     LevelShape shape;
     PaddedRows across;   ///< faces that x crosses: nx + 1 a row
@@ -55,16 +56,23 @@ struct CoarseLevel {
     PaddedRows b;
     LevelWork work;
 
-    void first_smoothing(int j, float w, float* out) const { rows::first_smoothing(row(j), b.row(j), w, out, shape.nx); }
-    void smoothing(int j, const float* south, const float* here, const float* north, float w, float* out) const {
+    void first_smoothing(int j, float w, float* out) const {
+        rows::first_smoothing(row(j), b.row(j), w, out, shape.nx);
+    }
+    void smoothing(int j, const float* south, const float* here, const float* north, float w,
+                   float* out) const {
         rows::smoothing(row(j), b.row(j), south, here, north, w, out, shape.nx);
     }
     void residual(int j, const float* south, const float* here, const float* north, float* out) const {
         rows::smoothed_residual(row(j), b.row(j), south, here, north, out, shape.nx);
     }
     void after_carry(int, float*) const {}
-    rows::CoarseRow row(int j) const { return {across.row(j), along.row(j), along.row(j + 1), inverse.row(j)}; }
-    rows::Leaning leaning(int j) const { return {lean_across.row(j), lean_along.row(j), lean_along.row(j + 1)}; }
+    rows::CoarseRow row(int j) const {
+        return {across.row(j), along.row(j), along.row(j + 1), inverse.row(j)};
+    }
+    rows::Leaning leaning(int j) const {
+        return {lean_across.row(j), lean_along.row(j), lean_along.row(j + 1)};
+    }
 };
 
 /// All grids of one domain.

@@ -49,14 +49,14 @@ double Poisson::largest_of_rows(Pool& pool, Row&& row) const {
     return most;
 }
 
-double Poisson::residual(std::span<const double> b, std::span<const double> p, double scale, std::span<double> r,
-                         Pool& pool) const {
+double Poisson::residual(std::span<const double> b, std::span<const double> p, double scale,
+                         std::span<double> r, Pool& pool) const {
     return largest_of_rows(pool, [&](int j) {
         const double* here = row_of(p, j);
         const rows::Ends ends{wraps_x_ ? here[nx_ - 1] : 0, wraps_x_ ? here[0] : 0};
         const std::size_t at = static_cast<std::size_t>(j) * nx_;
-        return rows::residual(degrees(j), b.data() + at, row_of(p, j - 1), here, row_of(p, j + 1), ends, scale,
-                              r.empty() ? nullptr : r.data() + at, nx_);
+        return rows::residual(degrees(j), b.data() + at, row_of(p, j - 1), here, row_of(p, j + 1), ends,
+                              scale, r.empty() ? nullptr : r.data() + at, nx_);
     });
 }
 

@@ -25,7 +25,9 @@ class Poisson {
     bool wraps_x() const { return wraps_x_; }
     bool wraps_y() const { return wraps_y_; }
     /// Open faces of each cell of row j, 0 … 4; followed by one more entry, 0.
-    const std::uint8_t* degrees(int j) const { return degrees_.data() + static_cast<std::size_t>(j) * (nx_ + 1); }
+    const std::uint8_t* degrees(int j) const {
+        return degrees_.data() + static_cast<std::size_t>(j) * (nx_ + 1);
+    }
     /// The row of cells at j, wrapped where that is periodic; −1 outside a box.
     int row(int j) const {
         if (j >= 0 && j < ny_) return j;

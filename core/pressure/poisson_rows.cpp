@@ -79,7 +79,8 @@ double residual(const std::uint8_t* __restrict d, const double* __restrict b, co
 WHORL_VECTOR_CLONES
 double largest(const double* __restrict x, int n) {
     double most[block] = {};
-    for (int start = 0; start < n; start += block) raise(x + start, n - start < block ? n - start : block, most);
+    for (int start = 0; start < n; start += block)
+        raise(x + start, n - start < block ? n - start : block, most);
     return largest_of(most);
 }
 
@@ -95,8 +96,8 @@ double dot(const double* __restrict x, const float* __restrict y, int n) {
 }
 
 WHORL_VECTOR_CLONES
-void first_smoothing(const std::uint8_t* __restrict d, const double* __restrict r, float w, float* __restrict out,
-                     int n) {
+void first_smoothing(const std::uint8_t* __restrict d, const double* __restrict r, float w,
+                     float* __restrict out, int n) {
     for (int i = 0; i < n; ++i) {
         const float faces = d[i];
         const float x = w * static_cast<float>(r[i]) * inverse(faces);
@@ -111,7 +112,7 @@ void smoothing(const std::uint8_t* __restrict d, const double* __restrict r, con
     for (int i = 0; i < n; ++i) {
         const float faces = d[i];
         const float left = left_over<float>(faces, static_cast<float>(r[i]), south[i], here[i - 1], here[i],
-                                     here[i + 1], north[i]);
+                                            here[i + 1], north[i]);
         out[i] = here[i] + w * left * inverse(faces);
     }
 }
@@ -121,8 +122,8 @@ void smoothed_residual(const std::uint8_t* __restrict d, const double* __restric
                        const float* __restrict south, const float* __restrict here,
                        const float* __restrict north, float* __restrict out, int n) {
     for (int i = 0; i < n; ++i) {
-        out[i] = left_over<float>(d[i], static_cast<float>(r[i]), south[i], here[i - 1], here[i],
-                           here[i + 1], north[i]);
+        out[i] = left_over<float>(d[i], static_cast<float>(r[i]), south[i], here[i - 1], here[i], here[i + 1],
+                                  north[i]);
     }
 }
 

@@ -8,9 +8,9 @@ namespace whorl::rows {
 /// Lanes of a sum over a row: cell i adds to lane i mod 8, and lanes are added pairwise, on any machine.
 constexpr int lanes = 8;
 
-// In all of these `d` are the open faces of a row's cells (Poisson::degrees); `south`, `here`, `north` are rows
-// of values, 0 in solid cells. Float rows have a value before their first and after their last sample: the
-// wrapped one in a periodic domain, else 0.
+// In all of these `d` are the open faces of a row's cells (Poisson::degrees); `south`, `here`, `north` are
+// rows of values, 0 in solid cells. Float rows have a value before their first and after their last sample:
+// the wrapped one in a periodic domain, else 0.
 
 /// Values beside a row without such a border: those next to its ends, or 0.
 struct Ends {

@@ -50,8 +50,9 @@ ProjectionReport Projection::project(FaceVelocity& velocity, double dt, const Bo
     const double scale = -h / dt;  // A is −h² ∇², and an outflow h ∇·u
     report.divergence_before = set_right(velocity, scale, pool) / h;
     report.removed_mean = components_.remove_means(right_, pool) / (scale * h);
-    const double enough = tolerance_ * std::abs(scale) *
-                          std::min(report.divergence_before * h, speed_that_stays * largest_speed(velocity, pool));
+    const double enough =
+        tolerance_ * std::abs(scale) *
+        std::min(report.divergence_before * h, speed_that_stays * largest_speed(velocity, pool));
     report.solve = keeper_.solver().solve(right_, enough, p_, pool);
     report.solver = report.solve.solver;
     components_.remove_means(p_, pool);
@@ -85,8 +86,8 @@ double Projection::largest_outflow(const FaceVelocity& velocity, Pool& pool) {
     pool.bands(grid_.ny, [&](int begin, int end) {
         for (int j = begin; j < end; ++j) {
             row_largest_[j] =
-                rows::largest_outflow(solids_.data() + static_cast<std::size_t>(j) * grid_.nx, velocity.u.row(j),
-                                      velocity.v.row(j), velocity.v.row(j + 1), grid_.nx);
+                rows::largest_outflow(solids_.data() + static_cast<std::size_t>(j) * grid_.nx,
+                                      velocity.u.row(j), velocity.v.row(j), velocity.v.row(j + 1), grid_.nx);
         }
     });
     return largest_of_rows(grid_.ny);
@@ -95,8 +96,10 @@ double Projection::largest_outflow(const FaceVelocity& velocity, Pool& pool) {
 double Projection::largest_speed(const FaceVelocity& velocity, Pool& pool) {
     pool.bands(grid_.ny + 1, [&](int begin, int end) {
         for (int j = begin; j < end; ++j) {
-            const double u = j < velocity.u.height() ? rows::largest_value(velocity.u.row(j), velocity.u.width()) : 0;
-            const double v = j < velocity.v.height() ? rows::largest_value(velocity.v.row(j), velocity.v.width()) : 0;
+            const double u =
+                j < velocity.u.height() ? rows::largest_value(velocity.u.row(j), velocity.u.width()) : 0;
+            const double v =
+                j < velocity.v.height() ? rows::largest_value(velocity.v.row(j), velocity.v.width()) : 0;
             row_largest_[j] = std::max(u, v);
         }
     });

@@ -23,13 +23,14 @@ struct ProjectionReport {
 /// Projection: ∇·(∇p) = (ρ₀/Δt) ∇·u*, u = u* − (Δt/ρ₀) ∇p, ρ₀ = 1.  [T 2.17b; F 48–59, with the factor Δt
 /// that F 54–56 lose]
 ///
-/// A mean divergence of a component, which no pressure removes, stays: an emitter in a wall, a source. Allocates
-/// when the boundary changes, else nothing. The last pressure is where an iteration starts, so that a projection
-/// depends on those before it.
+/// A mean divergence of a component, which no pressure removes, stays: an emitter in a wall, a source.
+/// Allocates when the boundary changes, else nothing. The last pressure is where an iteration starts, so that
+/// a projection depends on those before it.
 class Projection {
   public:
     /// Chooses the solver by its index in pressure_solvers(); it is prepared at the next projection.
-    /// @param tolerance bound of |∇·u| h / |u|max after, and of the residual over the right side's largest value;
+    /// @param tolerance bound of |∇·u| h / |u|max after, and of the residual over the right side's largest
+    /// value;
     ///                  direct solvers do better whatever it is
     void set_solver(std::size_t index, double tolerance);
 

@@ -65,9 +65,9 @@ double largest_value(const Real* __restrict q, int n) {
 }
 
 WHORL_VECTOR_CLONES
-void subtract_gradient(const std::uint8_t* __restrict solid_before, const std::uint8_t* __restrict solid_after,
-                       const double* __restrict before, const double* __restrict after, double factor,
-                       Real* __restrict velocity, int n) {
+void subtract_gradient(const std::uint8_t* __restrict solid_before,
+                       const std::uint8_t* __restrict solid_after, const double* __restrict before,
+                       const double* __restrict after, double factor, Real* __restrict velocity, int n) {
     for (int i = 0; i < n; ++i) {
         const double slope = factor * (after[i] - before[i]);
         const double change = (solid_before[i] | solid_after[i]) ? 0 : slope;

@@ -23,10 +23,10 @@ double outflows(const std::uint8_t* solid, const Real* u, const Real* south, con
 double largest_outflow(const std::uint8_t* solid, const Real* u, const Real* south, const Real* north, int n);
 /// max |q|
 double largest_value(const Real* q, int n);
-/// Faces between two fluid cells lose factor × (after − before); in double, for pressures differ little from cell
-/// to cell.
-void subtract_gradient(const std::uint8_t* solid_before, const std::uint8_t* solid_after, const double* before,
-                       const double* after, double factor, Real* velocity, int n);
+/// Faces between two fluid cells lose factor × (after − before); in double, for pressures differ little from
+/// cell to cell.
+void subtract_gradient(const std::uint8_t* solid_before, const std::uint8_t* solid_after,
+                       const double* before, const double* after, double factor, Real* velocity, int n);
 /// out = values
 void to_field(const double* values, Real* out, int n);
 

@@ -33,7 +33,8 @@ class PressureSolver {
     /// @param b      nx × ny, row by row, 0 in solid cells, of mean 0 over each component
     /// @param enough the largest |b − A p| at which an iteration may stop, in b's unit; direct solvers go to
     ///               rounding whatever it is
-    /// @param p      nx × ny, 0 in solid cells; a guess on entry, the solution on return, to each component of
+    /// @param p      nx × ny, 0 in solid cells; a guess on entry, the solution on return, to each component
+    /// of
     ///               which any constant may have been added
     /// Allocates nothing; the result does not depend on the number of threads.
     virtual SolveReport solve(std::span<const double> b, double enough, std::span<double> p, Pool& pool) = 0;

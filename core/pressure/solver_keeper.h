@@ -8,16 +8,18 @@
 
 namespace whorl {
 
-/// Keeps the chosen solver prepared for the boundary, or another one in its place: where the chosen one is not
-/// offered, and, if it is slow to prepare, from the projection at which walls are painted until they have been
-/// at rest for a while. It is then prepared on a thread of its own and takes over a fixed number of projections
-/// later, waited for if need be: when a solver acts depends on the commands alone, so that a replay gives the same
-/// bits.
+/// Keeps the chosen solver prepared for the boundary, or another one in its place: where the chosen one is
+/// not offered, and, if it is slow to prepare, from the projection at which walls are painted until they have
+/// been at rest for a while. It is then prepared on a thread of its own and takes over a fixed number of
+/// projections later, waited for if need be: when a solver acts depends on the commands alone, so that a
+/// replay gives the same bits.
 class SolverKeeper {
   public:
-    /// Projections without a change of the walls after which the chosen solver is prepared: a pause in painting.
+    /// Projections without a change of the walls after which the chosen solver is prepared: a pause in
+    /// painting.
     static constexpr int projections_at_rest = 15;
-    /// Projections that its preparation is given, for a number of cells: about LDLT's factorisation at 60 a second.
+    /// Projections that its preparation is given, for a number of cells: about LDLT's factorisation at 60 a
+    /// second.
     static int projections_to_prepare(const Grid& grid);
 
     /// The solver by its index in pressure_solvers(), to be prepared at the next projection.
