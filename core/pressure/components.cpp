@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/pressure/row_bands.h"
 #include "core/pressure/vector_clones.h"
 
 namespace whorl {
@@ -122,7 +123,7 @@ double Components::remove_means(std::span<double> values, Pool& pool) const {
         small_values_[k] = values[small_[k]];
         sums_[labels_[small_[k]]] += small_values_[k];
     }
-    pool.bands(ny_, [&](int begin, int end) {
+    row_bands(pool, nx_, ny_, [&](int begin, int end) {
         for (int j = begin; j < end; ++j) {
             const std::size_t at = static_cast<std::size_t>(j) * nx_;
             row_sums_[j] = keep_and_sum(keep_.data() + at, values.data() + at, nx_);
@@ -136,7 +137,7 @@ double Components::remove_means(std::span<double> values, Pool& pool) const {
         if (std::abs(sums_[k]) > std::abs(most)) most = sums_[k];
     }
     const double mean = sums_[largest_];
-    pool.bands(ny_, [&](int begin, int end) {
+    row_bands(pool, nx_, ny_, [&](int begin, int end) {
         for (int j = begin; j < end; ++j) {
             const std::size_t at = static_cast<std::size_t>(j) * nx_;
             subtract(keep_.data() + at, mean, values.data() + at, nx_);

@@ -5,13 +5,14 @@
 
 #include "core/pressure/multigrid_cycle.h"
 #include "core/pressure/poisson_rows.h"
+#include "core/pressure/row_bands.h"
 #include "core/pressure/stopwatch.h"
 
 namespace whorl {
 namespace {
 
-/// Ten times what the worst obstacles tried have needed; reached only by a tolerance below rounding.
-constexpr int most_iterations = 200;
+/// Discs need 7, mazes of thin walls 40; noise at the edge of percolation needs hundreds.
+constexpr int most_iterations = 2000;
 
 }  // namespace
 
@@ -66,7 +67,7 @@ double Multigrid::precondition(Pool& pool) {
     const int nx = poisson_.nx();
     levels_.fine.b = r_.data();
     v_cycle(levels_, pool);
-    pool.bands(poisson_.ny(), [&](int begin, int end) {
+    row_bands(pool, nx, poisson_.ny(), [&](int begin, int end) {
         for (int j = begin; j < end; ++j)
             row_sums_[j] =
                 rows::dot(r_.data() + static_cast<std::size_t>(j) * nx, levels_.fine.work.whole.row(j), nx);
@@ -119,7 +120,7 @@ double Multigrid::descend(double alpha, double gain, std::span<double> p, Pool& 
         const int j = shape.row(t);
         return j < 0 ? none : direction_.row(j);
     };
-    pool.bands(shape.ny, [&](int begin, int end) {
+    row_bands(pool, shape.nx, shape.ny, [&](int begin, int end) {
         for (int j = begin; j < end; ++j) {
             const std::size_t at = static_cast<std::size_t>(j) * shape.nx;
             row_sums_[j] = rows::descend(poisson_.degrees(j), row(j - 1), row(j), row(j + 1), alpha, gain,

@@ -4,24 +4,11 @@
 #include <vector>
 
 #include "core/pressure/coarse_rows.h"
+#include "core/pressure/multigrid_adoption.h"
 #include "core/pressure/padded_rows.h"
 #include "core/pressure/poisson.h"
 
 namespace whorl {
-
-/// The shape of one grid and how its rows follow each other.
-struct LevelShape {
-    int nx = 0;
-    int ny = 0;
-    bool wraps_x = false;
-    bool wraps_y = false;
-
-    /// The row at j, wrapped where y is; −1 where there is none.
-    int row(int j) const {
-        if (j >= 0 && j < ny) return j;
-        return wraps_y ? (j % ny + ny) % ny : -1;
-    }
-};
 
 /// What a cycle works on at each grid: solutions before and after the coarser grids' part, and rows at hand.
 struct LevelWork {
@@ -53,6 +40,7 @@ struct CoarseLevel {
     PaddedRows along;    ///< faces that y crosses: ny + 1 rows
     PaddedRows inverse;  ///< 1 / Σ of a cell's faces, 0 if none is open
     PaddedRows lean_across, lean_along;
+    Adoptions adoptions;  ///< of the finer grid's cells
     PaddedRows b;
     LevelWork work;
 
@@ -86,7 +74,7 @@ struct Levels {
 };
 
 /// Rows that a band keeps at hand, and the number of rows between two bands' possible starts.
-constexpr int rows_of_scratch = 12;
-constexpr int rows_of_unit = 16;
+constexpr int rows_of_scratch = 16;
+constexpr int rows_of_unit = 32;
 
 }  // namespace whorl

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/pressure/poisson_rows.h"
+#include "core/pressure/row_bands.h"
 
 namespace whorl {
 
@@ -20,7 +21,7 @@ void Poisson::prepare(const Boundary& boundary, Pool& pool) {
         const int at = row(j);
         return at < 0 ? outside.data() : boundary.solids().data() + static_cast<std::size_t>(at) * nx_;
     };
-    pool.bands(ny_, [&](int begin, int end) {
+    row_bands(pool, nx_, ny_, [&](int begin, int end) {
         for (int j = begin; j < end; ++j) {
             const std::uint8_t* south = solids(j - 1);
             const std::uint8_t* here = solids(j);
@@ -41,7 +42,7 @@ void Poisson::prepare(const Boundary& boundary, Pool& pool) {
 
 template <class Row>
 double Poisson::largest_of_rows(Pool& pool, Row&& row) const {
-    pool.bands(ny_, [&](int begin, int end) {
+    row_bands(pool, nx_, ny_, [&](int begin, int end) {
         for (int j = begin; j < end; ++j) row_largest_[j] = row(j);
     });
     double most = 0;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/pressure/projection_rows.h"
+#include "core/pressure/row_bands.h"
 
 namespace whorl {
 namespace {
@@ -57,7 +58,7 @@ ProjectionReport Projection::project(FaceVelocity& velocity, double dt, const Bo
     report.solver = report.solve.solver;
     components_.remove_means(p_, pool);
 
-    pool.bands(grid_.ny, [&](int begin, int end) {
+    row_bands(pool, grid_.nx, grid_.ny, [&](int begin, int end) {
         for (int j = begin; j < end; ++j)
             rows::to_field(p_.data() + static_cast<std::size_t>(j) * grid_.nx, pressure.row(j), grid_.nx);
     });
@@ -72,7 +73,7 @@ ProjectionReport Projection::project(FaceVelocity& velocity, double dt, const Bo
 /// right = scale × outflow.
 /// @return the largest outflow, by size
 double Projection::set_right(const FaceVelocity& velocity, double scale, Pool& pool) {
-    pool.bands(grid_.ny, [&](int begin, int end) {
+    row_bands(pool, grid_.nx, grid_.ny, [&](int begin, int end) {
         for (int j = begin; j < end; ++j) {
             const std::size_t at = static_cast<std::size_t>(j) * grid_.nx;
             row_largest_[j] = rows::outflows(solids_.data() + at, velocity.u.row(j), velocity.v.row(j),
@@ -83,7 +84,7 @@ double Projection::set_right(const FaceVelocity& velocity, double scale, Pool& p
 }
 
 double Projection::largest_outflow(const FaceVelocity& velocity, Pool& pool) {
-    pool.bands(grid_.ny, [&](int begin, int end) {
+    row_bands(pool, grid_.nx, grid_.ny, [&](int begin, int end) {
         for (int j = begin; j < end; ++j) {
             row_largest_[j] =
                 rows::largest_outflow(solids_.data() + static_cast<std::size_t>(j) * grid_.nx,
@@ -94,7 +95,7 @@ double Projection::largest_outflow(const FaceVelocity& velocity, Pool& pool) {
 }
 
 double Projection::largest_speed(const FaceVelocity& velocity, Pool& pool) {
-    pool.bands(grid_.ny + 1, [&](int begin, int end) {
+    row_bands(pool, grid_.nx, grid_.ny + 1, [&](int begin, int end) {
         for (int j = begin; j < end; ++j) {
             const double u =
                 j < velocity.u.height() ? rows::largest_value(velocity.u.row(j), velocity.u.width()) : 0;
@@ -114,7 +115,7 @@ double Projection::largest_of_rows(int rows) const {
 void Projection::correct(FaceVelocity& velocity, double factor, Pool& pool) const {
     const int nx = grid_.nx;
     const int ny = grid_.ny;
-    pool.bands(ny, [&](int begin, int end) {
+    row_bands(pool, nx, ny, [&](int begin, int end) {
         for (int j = begin; j < end; ++j) {
             const std::size_t at = static_cast<std::size_t>(j) * nx;
             const double* p = p_.data() + at;

@@ -38,6 +38,21 @@ TEST(Multigrid, IterationsStayFlatAroundSpecks) {
     expect_flat_iterations([](int n) { return specks(n, n, 0.02, 5); });
 }
 
+/// Walls of one cell, on either side of which the pressure has little to do with the other's: coarse grids
+/// that took both sides for one needed 150 iterations here.
+TEST(Multigrid, ThinWallsStayApartOnCoarseGrids) {
+    constexpr int bound = 50;
+    Pool pool(2);
+    for (const bool periodic : {false, true}) {
+        for (const int n : {64, 128, 256, 512}) {
+            const Boundary boundary = domain(n, n, periodic, walls(n, n, 8));
+            const std::vector<double> b = random_right(boundary, 5, pool);
+            EXPECT_LE(solve(entry("multigrid"), boundary, b, 1e-6, pool).report.iterations, bound)
+                << n << (periodic ? " periodic" : " box");
+        }
+    }
+}
+
 /// x·(M y) = y·(M x): conjugate gradient needs a symmetric cycle. In single precision, so to its rounding.
 TEST(Multigrid, CycleIsSymmetric) {
     constexpr double single_rounding = 2e-5;
