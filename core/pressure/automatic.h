@@ -13,7 +13,7 @@ class Automatic : public PressureSolver {
     static constexpr SchemeInfo info{"auto", "Automatic", "",
                                      "Whichever is measured fastest for this size and these walls."};
     /// nx + ny from which multigrid is the faster one without obstacles, too.
-    static constexpr int diagonalization_ends = 1536;
+    static constexpr int diagonalization_ends = 1280;
 
     void prepare(const Boundary& boundary, Pool& pool) override;
     SolveReport solve(std::span<const double> b, double enough, std::span<double> p, Pool& pool) override {

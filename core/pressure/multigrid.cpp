@@ -64,16 +64,10 @@ SolveReport Multigrid::solve(std::span<const double> b, double enough, std::span
 /// z ≈ A⁻¹ r.
 /// @return r·z
 double Multigrid::precondition(Pool& pool) {
-    const int nx = poisson_.nx();
     levels_.fine.b = r_.data();
     v_cycle(levels_, pool);
-    row_bands(pool, nx, poisson_.ny(), [&](int begin, int end) {
-        for (int j = begin; j < end; ++j)
-            row_sums_[j] =
-                rows::dot(r_.data() + static_cast<std::size_t>(j) * nx, levels_.fine.work.whole.row(j), nx);
-    });
     double sum = 0;
-    for (const double row : row_sums_) sum += row;
+    for (const double row : levels_.fine.row_dots) sum += row;
     return sum;
 }
 

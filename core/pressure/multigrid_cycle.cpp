@@ -127,6 +127,7 @@ void up_band(Level& level, const CoarseLevel& coarse, int begin, int end, int un
         float* out = level.work.whole.row(t - 2);
         level.smoothing(t - 2, once[t - 3], once[t - 2], once[t - 1], first_weight, out);
         border(out, shape.nx, shape.wraps_x);
+        level.finished(t - 2, out);
     }
 }
 
@@ -135,6 +136,7 @@ void cycle(Level& level, std::vector<CoarseLevel>& coarser, std::size_t next, Po
     const LevelShape& shape = level.shape;
     if (next == coarser.size()) {  // one cell, whose pressure is any constant
         level.work.whole.fill(0);
+        level.finished(0, level.work.whole.row(0));
         return;
     }
     CoarseLevel& coarse = coarser[next];

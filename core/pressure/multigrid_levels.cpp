@@ -122,11 +122,16 @@ void FineLevel::after_carry(int j, float* row) const {
     rows::mask(poisson->degrees(j), row, shape.nx);
 }
 
+void FineLevel::finished(int j, const float* row) const {
+    row_dots[j] = rows::dot(b + static_cast<std::size_t>(j) * shape.nx, row, shape.nx);
+}
+
 void Levels::prepare(const Boundary& boundary, const Poisson& poisson, Pool& pool) {
     const LevelShape shape{poisson.nx(), poisson.ny(), poisson.wraps_x(), poisson.wraps_y()};
     const bool same = shape.nx == fine.shape.nx && shape.ny == fine.shape.ny;
     fine.poisson = &poisson;
     fine.shape = shape;
+    fine.row_dots.assign(static_cast<std::size_t>(shape.ny), 0);
     if (!same) {
         resize(fine.work, shape.nx, shape.ny);
         coarse.clear();

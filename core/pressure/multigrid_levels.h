@@ -21,7 +21,8 @@ struct LevelWork {
 struct FineLevel {
     LevelShape shape;
     const Poisson* poisson = nullptr;
-    const double* b = nullptr;  ///< nx × ny
+    const double* b = nullptr;             ///< nx × ny
+    mutable std::vector<double> row_dots;  ///< Σ b z over each row of the result z, as the cycle finishes it
     LevelWork work;
 
     void first_smoothing(int j, float w, float* out) const;
@@ -29,6 +30,7 @@ struct FineLevel {
                    float* out) const;
     void residual(int j, const float* south, const float* here, const float* north, float* out) const;
     void after_carry(int j, float* row) const;
+    void finished(int j, const float* row) const;
 };
 
 /// A coarser grid. Its faces' coefficients are the open parts of the finer faces that make them: the flux
@@ -55,6 +57,7 @@ struct CoarseLevel {
         rows::smoothed_residual(row(j), b.row(j), south, here, north, out, shape.nx);
     }
     void after_carry(int, float*) const {}
+    void finished(int, const float*) const {}
     rows::CoarseRow row(int j) const {
         return {across.row(j), along.row(j), along.row(j + 1), inverse.row(j)};
     }

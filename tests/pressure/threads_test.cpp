@@ -10,14 +10,14 @@ TEST(Threads, SameBits) {
     Pool one(1);
     for (const bool periodic : {false, true}) {
         for (const bool obstacles : {false, true}) {
-            for (const auto& [nx, ny] : {std::pair(300, 257), {128, 600}, {40, 40}}) {
+            for (const auto& [nx, ny] : {std::pair(150, 257), {64, 400}, {40, 40}}) {
                 const Boundary boundary =
                     domain(nx, ny, periodic, obstacles ? discs(nx, ny) : std::vector<std::uint8_t>{});
                 const std::vector<double> b = random_right(boundary, 9, one);
                 for (const PressureSolverEntry& each : pressure_solvers()) {
                     if (!each.refuses(boundary).empty()) continue;
                     const Solution expected = solve(each, boundary, b, 1e-5, one);
-                    for (const int threads : {2, 3, 5}) {
+                    for (const int threads : {2, 3}) {
                         Pool several(threads);
                         const Solution solution = solve(each, boundary, b, 1e-5, several);
                         EXPECT_EQ(solution.p, expected.p)
