@@ -5,12 +5,13 @@
 
 #include "core/advection/stencil.h"
 #include "core/advection/step.h"
+#include "core/parallel/isa.h"
 #include "core/schemes/registry.h"
 
 namespace whorl {
 
 /// The inner loops for a set of schemes in a domain with periodic sides or walls.
-Kernels choose_kernels(const SchemeSet& schemes, bool periodic);
+Kernels choose_kernels(const SchemeSet& schemes, bool periodic, Isa isa = best_isa());
 
 /// Moves fields by one set of schemes; keeps its stencil and intermediate fields from step to step.
 class Mover {

@@ -39,9 +39,10 @@ struct Cell {
     Real q00, q10, q01, q11;
 };
 
+/// Indices stay integers: a loop over pointers computed from them would not vectorise.
 inline Cell cell_at(const Real* origin, int stride, int i, int j) {
-    const Real* q = origin + (j * stride + i);
-    return {q[0], q[1], q[stride], q[stride + 1]};
+    const int at = j * stride + i;
+    return {origin[at], origin[at + 1], origin[at + stride], origin[at + stride + 1]};
 }
 
 inline Real bilinear(const Cell& q, Real x, Real y) {
@@ -73,32 +74,39 @@ struct Component {
 };
 
 template <class Tracer, bool periodic>
-void trace_run(const Flow& flow, Run run, Vec2 start, Real dt, Displacements& out) {
-    const Component<periodic> u(flow.velocity->u, flow.site);
-    const Component<periodic> v(flow.velocity->v, flow.site);
-    for (int k = 0; k < run.count; ++k) {
-        const auto velocity = [&](Vec2 d) {
-            return Vec2(u.at(run.i + k, run.j, d), v.at(run.i + k, run.j, d));
-        };
-        const Vec2 d = Tracer::trace(velocity, start, dt);
-        out.x[k] = d.x;
-        out.y[k] = d.y;
+struct Trace {
+    static WHORL_INLINE void run(const Flow& flow, Run nodes, Vec2 start, Real dt, Displacements& out) {
+        const Component<periodic> u(flow.velocity->u, flow.site);
+        const Component<periodic> v(flow.velocity->v, flow.site);
+        Real* to_x = out.x;
+        Real* to_y = out.y;
+        WHORL_LANES for (int k = 0; k < nodes.count; ++k) {
+            const auto velocity = [&](Vec2 d) {
+                return Vec2(u.at(nodes.i + k, nodes.j, d), v.at(nodes.i + k, nodes.j, d));
+            };
+            const Vec2 d = Tracer::trace(velocity, start, dt);
+            to_x[k] = d.x;
+            to_y[k] = d.y;
+        }
     }
-}
+};
 
 template <bool periodic>
-void locate_run(const Field& field, Run run, const Displacements& d, Places& out) {
-    const int width = field.width();
-    const int height = field.height();
-    for (int k = 0; k < run.count; ++k) {
-        const AxisPlace x = place<periodic>(run.i + k, d.x[k], width);
-        const AxisPlace y = place<periodic>(run.j, d.y[k], height);
-        out.i[k] = x.i;
-        out.j[k] = y.i;
-        out.x[k] = x.t;
-        out.y[k] = y.t;
+struct Locate {
+    static WHORL_INLINE void run(const Field& field, Run nodes, const Displacements& d, Places& out) {
+        const int width = field.width();
+        const int height = field.height();
+        Places* to = &out;
+        WHORL_LANES for (int k = 0; k < nodes.count; ++k) {
+            const AxisPlace x = place<periodic>(nodes.i + k, d.x[k], width);
+            const AxisPlace y = place<periodic>(nodes.j, d.y[k], height);
+            to->i[k] = x.i;
+            to->j[k] = y.i;
+            to->x[k] = x.t;
+            to->y[k] = y.t;
+        }
     }
-}
+};
 
 inline Real lowest(const Cell& q) {
     return std::min(std::min(q.q00, q.q10), std::min(q.q01, q.q11));
@@ -107,79 +115,88 @@ inline Real highest(const Cell& q) {
     return std::max(std::max(q.q00, q.q10), std::max(q.q01, q.q11));
 }
 
-/// Four points along one axis of memory (`step` apart), interpolated at t.
+/// Four samples along one axis of memory (`step` apart) around sample `at`, interpolated at t.
 template <class Interpolation>
-inline Real along(const Real* q, int step, Real t, Interval interval) {
-    return Interpolation::at(q[-step], q[0], q[step], q[2 * step], t, interval);
+inline Real along(const Real* origin, int at, int step, Real t, Interval interval) {
+    return Interpolation::at(origin[at - step], origin[at], origin[at + step], origin[at + 2 * step], t,
+                             interval);
 }
 
 /// One axis first, then the other, over the 4 × 4 samples around a place.
 template <class Interpolation, bool x_first>
-inline Real cubic(const Real* q, int stride, Real x, Real y, Interval in_x, Interval in_y) {
-    const int first_step = x_first ? 1 : stride;
-    const int second_step = x_first ? stride : 1;
-    const Real first_t = x_first ? x : y;
-    const Real second_t = x_first ? y : x;
+inline Real cubic(const Real* origin, int stride, int at, Real x, Real y, Interval in_x, Interval in_y) {
+    const int step = x_first ? 1 : stride;
+    const int across = x_first ? stride : 1;
+    const Real t = x_first ? x : y;
     const Interval first = x_first ? in_x : in_y;
-    const Interval second = x_first ? in_y : in_x;
-    const Real qm = along<Interpolation>(q - second_step, first_step, first_t, first);
-    const Real q0 = along<Interpolation>(q, first_step, first_t, first);
-    const Real q1 = along<Interpolation>(q + second_step, first_step, first_t, first);
-    const Real q2 = along<Interpolation>(q + 2 * second_step, first_step, first_t, first);
-    return Interpolation::at(qm, q0, q1, q2, second_t, second);
+    const Real qm = along<Interpolation>(origin, at - across, step, t, first);
+    const Real q0 = along<Interpolation>(origin, at, step, t, first);
+    const Real q1 = along<Interpolation>(origin, at + across, step, t, first);
+    const Real q2 = along<Interpolation>(origin, at + 2 * across, step, t, first);
+    return Interpolation::at(qm, q0, q1, q2, x_first ? y : x, x_first ? in_y : in_x);
 }
 
 template <class Interpolation, bool x_first, bool clamped, bool periodic>
-void sample_run(const Field& field, const Places& at, int count, Values& out) {
-    const Real* origin = field.row(0);
-    const int stride = field.stride();
-    const int last_x = field.width() - 1;
-    const int last_y = field.height() - 1;
-    for (int k = 0; k < count; ++k) {
-        if constexpr (Interpolation::support == 2) {
-            out[k] = bilinear(cell_at(origin, stride, at.i[k], at.j[k]), at.x[k], at.y[k]);
-        } else {
-            const Real* q = origin + (at.j[k] * stride + at.i[k]);
-            const Real value = cubic<Interpolation, x_first>(q, stride, at.x[k], at.y[k],
-                                                             Interval{at.i[k], last_x, periodic},
-                                                             Interval{at.j[k], last_y, periodic});
-            const Cell cell = cell_at(origin, stride, at.i[k], at.j[k]);
-            out[k] = clamped ? std::min(std::max(value, lowest(cell)), highest(cell)) : value;
+struct Sample {
+    static WHORL_INLINE void run(const Field& field, const Places& at, int count, Values& out) {
+        const Real* origin = field.row(0);
+        Real* to = out;
+        const int stride = field.stride();
+        const int last_x = field.width() - 1;
+        const int last_y = field.height() - 1;
+        WHORL_LANES for (int k = 0; k < count; ++k) {
+            if constexpr (Interpolation::support == 2) {
+                to[k] = bilinear(cell_at(origin, stride, at.i[k], at.j[k]), at.x[k], at.y[k]);
+            } else {
+                const Real value = cubic<Interpolation, x_first>(
+                    origin, stride, at.j[k] * stride + at.i[k], at.x[k], at.y[k],
+                    Interval{at.i[k], last_x, periodic}, Interval{at.j[k], last_y, periodic});
+                const Cell cell = cell_at(origin, stride, at.i[k], at.j[k]);
+                to[k] = clamped ? std::min(std::max(value, lowest(cell)), highest(cell)) : value;
+            }
         }
     }
-}
+};
 
 template <Expansion expansion>
-void share_run(const Field& field, const Places& at, int count, const Particle& particle,
-               const Values& at_node, Values& sum) {
-    const Real* origin = field.row(0);
-    const int stride = field.stride();
-    const Real to_x = -particle.offset.x;  // x_i − x_s, cells
-    const Real to_y = -particle.offset.y;
-    for (int k = 0; k < count; ++k) {
-        const Cell q = cell_at(origin, stride, at.i[k], at.j[k]);
-        Real value = bilinear(q, at.x[k], at.y[k]);
-        if constexpr (expansion != Expansion::Value) {
-            const Real gradient_x = Linear::at(q.q10 - q.q00, q.q11 - q.q01, at.y[k]);
-            const Real gradient_y = Linear::at(q.q01 - q.q00, q.q11 - q.q10, at.x[k]);
-            value += gradient_x * to_x + gradient_y * to_y;
+struct Share {
+    static WHORL_INLINE void run(const Field& field, const Places& at, int count, const Particle& particle,
+                                 const Values& at_node, Values& sum) {
+        const Real* origin = field.row(0);
+        Real* to = sum;
+        const Real weight = particle.weight;
+        const int stride = field.stride();
+        const Real to_x = -particle.offset.x;  // x_i − x_s, cells
+        const Real to_y = -particle.offset.y;
+        WHORL_LANES for (int k = 0; k < count; ++k) {
+            const Cell q = cell_at(origin, stride, at.i[k], at.j[k]);
+            Real value = bilinear(q, at.x[k], at.y[k]);
+            if constexpr (expansion != Expansion::Value) {
+                const Real gradient_x = Linear::at(q.q10 - q.q00, q.q11 - q.q01, at.y[k]);
+                const Real gradient_y = Linear::at(q.q01 - q.q00, q.q11 - q.q10, at.x[k]);
+                value += gradient_x * to_x + gradient_y * to_y;
+            }
+            if constexpr (expansion == Expansion::CrossTerm) {
+                value += (q.q00 - q.q10 - q.q01 + q.q11) * to_x * to_y;
+            }
+            to[k] += weight * (value - at_node[k]);
         }
-        if constexpr (expansion == Expansion::CrossTerm) {
-            value += (q.q00 - q.q10 - q.q01 + q.q11) * to_x * to_y;
-        }
-        sum[k] += particle.weight * (value - at_node[k]);
     }
-}
+};
 
 template <class Limiter>
-void limit_run(const Field& q, const Places& at, int count, const Values& first_order, Values& value) {
-    const Real* origin = q.row(0);
-    const int stride = q.stride();
-    for (int k = 0; k < count; ++k) {
-        const Cell cell = cell_at(origin, stride, at.i[k], at.j[k]);
-        value[k] = Limiter::limit(value[k], first_order[k], lowest(cell), highest(cell));
+struct Limit {
+    static WHORL_INLINE void run(const Field& q, const Places& at, int count, const Values& first_order,
+                                 Values& value) {
+        const Real* origin = q.row(0);
+        Real* to = value;
+        const int stride = q.stride();
+        WHORL_LANES for (int k = 0; k < count; ++k) {
+            const Cell cell = cell_at(origin, stride, at.i[k], at.j[k]);
+            to[k] = Limiter::limit(to[k], first_order[k], lowest(cell), highest(cell));
+        }
     }
-}
+};
 
 /// Turns a run-time truth into a template argument.
 template <class F>
@@ -187,26 +204,26 @@ auto with_bool(bool value, F&& f) {
     return value ? f(std::true_type{}) : f(std::false_type{});
 }
 
-SampleFn choose_sample(const SchemeSet& s, bool periodic) {
-    return Interpolations::dispatch(s.interpolation, [&]<class I>(std::type_identity<I>) -> SampleFn {
-        return with_bool(s.axis_order == AxisOrders::of<XFirst>(), [&]<class X>(X) -> SampleFn {
-            return with_bool(s.clamped, [&]<class C>(C) -> SampleFn {
-                return with_bool(periodic, [&]<class P>(P) -> SampleFn {
-                    return sample_run<I, X::value, C::value, P::value>;
+SampleFn choose_sample(const SchemeSet& s, bool periodic, Isa isa) {
+    return Interpolations::dispatch(s.interpolation, [&]<class I>(std::type_identity<I>) {
+        return with_bool(s.axis_order == AxisOrders::of<XFirst>(), [&]<class X>(X) {
+            return with_bool(s.clamped, [&]<class C>(C) {
+                return with_bool(periodic, [&]<class P>(P) {
+                    return PerIsa<SampleFn, Sample<I, X::value, C::value, P::value>>::pick(isa);
                 });
             });
         });
     });
 }
 
-ShareFn choose_share(Expansion expansion) {
+ShareFn choose_share(Expansion expansion, Isa isa) {
     switch (expansion) {
         case Expansion::Value:
-            return share_run<Expansion::Value>;
+            return PerIsa<ShareFn, Share<Expansion::Value>>::pick(isa);
         case Expansion::Gradient:
-            return share_run<Expansion::Gradient>;
+            return PerIsa<ShareFn, Share<Expansion::Gradient>>::pick(isa);
         case Expansion::CrossTerm:
-            return share_run<Expansion::CrossTerm>;
+            return PerIsa<ShareFn, Share<Expansion::CrossTerm>>::pick(isa);
         case Expansion::None:
             break;
     }
@@ -215,20 +232,21 @@ ShareFn choose_share(Expansion expansion) {
 
 }  // namespace
 
-Kernels choose_kernels(const SchemeSet& s, bool periodic) {
+Kernels choose_kernels(const SchemeSet& s, bool periodic, Isa isa) {
     Kernels kernels{};
     with_bool(periodic, [&]<class P>(P) {
-        kernels.trace = Tracers::dispatch(
-            s.tracer, []<class T>(std::type_identity<T>) -> TraceFn { return trace_run<T, P::value>; });
-        kernels.locate = locate_run<P::value>;
-        kernels.sample_linear = sample_run<Linear, true, false, P::value>;
+        kernels.trace = Tracers::dispatch(s.tracer, [&]<class T>(std::type_identity<T>) {
+            return PerIsa<TraceFn, Trace<T, P::value>>::pick(isa);
+        });
+        kernels.locate = PerIsa<LocateFn, Locate<P::value>>::pick(isa);
+        kernels.sample_linear = PerIsa<SampleFn, Sample<Linear, true, false, P::value>>::pick(isa);
     });
-    kernels.sample = choose_sample(s, periodic);
-    kernels.share = choose_share(s.expansion());
-    kernels.limit =
-        Limiters::dispatch(s.limiter, []<class L>(std::type_identity<L>) -> LimitFn { return limit_run<L>; });
+    kernels.sample = choose_sample(s, periodic, isa);
+    kernels.share = choose_share(s.expansion(), isa);
+    kernels.limit = Limiters::dispatch(
+        s.limiter, [&]<class L>(std::type_identity<L>) { return PerIsa<LimitFn, Limit<L>>::pick(isa); });
     if (Bases::dispatch(s.base, []<class B>(std::type_identity<B>) { return B::clamps_base; })) {
-        kernels.limit_base = limit_run<ClampLimiter>;
+        kernels.limit_base = PerIsa<LimitFn, Limit<ClampLimiter>>::pick(isa);
     }
     return kernels;
 }

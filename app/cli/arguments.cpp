@@ -1,0 +1,153 @@
+#include "app/cli/arguments.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <iostream>
+
+#include "app/cli/exit_code.h"
+#include "core/scene/error.h"
+
+namespace whorl::app {
+namespace {
+
+constexpr const char* about =
+    "Whorl shows what a fluid solver does to its smoke.\n"
+    "Without a verb it opens the window on a preset, an experiment or a scene file.";
+
+constexpr const char* examples =
+    "\nExamples:\n"
+    "  whorl                                   the rising plume, in a window\n"
+    "  whorl run plume --steps 480 --picture plume.png --set advector=aslam\n"
+    "  whorl experiment rotation --set advector=aslam --at 600,1200\n"
+    "  whorl converge rotation --set advector=aslam --resolutions 40,80,160\n"
+    "  whorl list parameters";
+
+void add_set(CLI::App& verb, std::vector<std::string>& set) {
+    verb.add_option("--set", set, "set a parameter, key=value; `whorl list parameters` shows them")
+        ->type_name("KEY=VALUE")
+        ->expected(1)
+        ->take_all();
+}
+
+void add_threads(CLI::App& verb, int& threads) {
+    verb.add_option("--threads", threads, "threads that step; results do not depend on it")
+        ->type_name("N")
+        ->check(CLI::Range(1, 256));
+}
+
+void add_outputs(CLI::App& verb, RunArguments& run) {
+    verb.add_option("--csv", run.csv, "write a row a step; - is standard output")->type_name("FILE|-");
+    verb.add_option("--picture", run.picture, "draw the last step as a PNG")->type_name("FILE.png");
+    verb.add_option("--view", run.view, "what the picture shows")->type_name("VIEW");
+    verb.add_option("--map", run.map, "colours of the picture")->type_name("MAP");
+    verb.add_option("--range", run.range, "values at the ends of the colours; else all that occur")
+        ->type_name("LO,HI");
+    verb.add_option("--width", run.width, "pixels across the field")
+        ->type_name("N")
+        ->check(CLI::Range(100, 8000));
+    verb.add_flag("--light", run.light, "dark on white, for paper");
+    verb.add_flag("--crisp", run.crisp, "cells as squares of one colour");
+}
+
+/// "40,80,160" as numbers.  @throws InputError
+std::vector<int> whole_numbers(const std::string& option, const std::string& text) {
+    std::vector<int> numbers;
+    const char* at = text.data();
+    const char* const end = at + text.size();
+    for (;;) {
+        int number = 0;
+        const auto [next, error] = std::from_chars(at, end, number);
+        if (error != std::errc{} || number < 0 || (next != end && *next != ',')) {
+            throw InputError(option + " = \"" + text + "\" is not a list of whole numbers, as 600,1200");
+        }
+        numbers.push_back(number);
+        if (next == end) return numbers;
+        at = next + 1;
+    }
+}
+
+}  // namespace
+
+Arguments parse_arguments(int argc, char** argv) {
+    CLI::App app(about, "whorl");
+    app.footer(examples);
+    app.set_version_flag("--version", "whorl " WHORL_VERSION);
+
+    WindowArguments window;
+    app.add_option("scene", window.scene, "a preset, an experiment or a scene file")
+        ->type_name("PRESET|FILE.toml");
+    add_set(app, window.set);
+    add_threads(app, window.threads);
+    app.add_option("--size", window.size, "size of the window")->type_name("WxH");
+    app.add_option("--trace", window.trace, "append what happens, for tests")->type_name("FILE")->group("");
+    app.add_option("--content-scale", window.content_scale, "as if the monitor had it")->group("");
+
+    RunArguments run;
+    CLI::App* run_verb = app.add_subcommand("run", "run a scene without a window");
+    run_verb->add_option("scene", run.scene, "a preset, an experiment or a scene file")
+        ->type_name("PRESET|FILE.toml")
+        ->required();
+    run_verb->add_option("--steps", run.steps, "how many steps; else the scene's own")->type_name("N");
+    add_set(*run_verb, run.set);
+    add_outputs(*run_verb, run);
+    run_verb->add_option("--timing", run.timing, "write the median ms of each phase; - is standard output")
+        ->type_name("FILE|-");
+    add_threads(*run_verb, run.threads);
+
+    ExperimentArguments experiment;
+    std::string at;
+    CLI::App* experiment_verb = app.add_subcommand("experiment", "run a test and measure its errors");
+    experiment_verb->add_option("name", experiment.scene, "`whorl list experiments` shows them")
+        ->type_name("NAME")
+        ->required();
+    experiment_verb->add_option("--at", at, "steps to report; the last one ends the run")
+        ->type_name("STEP,STEP...");
+    experiment_verb->add_option("--steps", experiment.steps, "how many steps; else the experiment's own")
+        ->type_name("N");
+    add_set(*experiment_verb, experiment.set);
+    add_outputs(*experiment_verb, experiment);
+    add_threads(*experiment_verb, experiment.threads);
+
+    ConvergeArguments converge;
+    std::string resolutions = "40,80,160";
+    CLI::App* converge_verb =
+        app.add_subcommand("converge", "errors and rates under refinement, as the thesis' table 5.2");
+    converge_verb->add_option("experiment", converge.experiment, "an experiment with an exact solution")
+        ->type_name("NAME")
+        ->required();
+    converge_verb
+        ->add_option("--resolutions", resolutions, "cells along the width, each a multiple of the last")
+        ->type_name("N,N...");
+    add_set(*converge_verb, converge.set);
+    add_threads(*converge_verb, converge.threads);
+
+    ListArguments list;
+    CLI::App* list_verb = app.add_subcommand("list", "what there is to choose from");
+    list_verb->add_option("what", list.what, "advectors, interpolations, presets, parameters ...")
+        ->type_name("WHAT");
+
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& e) {
+        return app.exit(e);
+    } catch (const CLI::ParseError& e) {
+        std::string reason = e.what();
+        std::replace(reason.begin(), reason.end(), '\n', ' ');
+        std::cerr << "whorl: " << reason << "; see whorl --help\n";
+        return exit_bad_input;
+    }
+    if (run_verb->parsed()) return run;
+    if (experiment_verb->parsed()) {
+        if (!at.empty()) experiment.at = whole_numbers("--at", at);
+        return experiment;
+    }
+    if (converge_verb->parsed()) {
+        converge.resolutions = whole_numbers("--resolutions", resolutions);
+        return converge;
+    }
+    if (list_verb->parsed()) return list;
+    return window;
+}
+
+}  // namespace whorl::app

@@ -1,0 +1,55 @@
+// `whorl experiment`: a test with a known answer, and its errors.
+#include <algorithm>
+#include <optional>
+
+#include "app/cli/headless.h"
+#include "app/cli/progress.h"
+#include "app/cli/verbs.h"
+#include "core/experiments/experiment.h"
+#include "core/io/series.h"
+#include "core/scene/error.h"
+
+namespace whorl::app {
+namespace {
+
+void write_row(Series& csv, const Measures& m) {
+    const double row[] = {
+        static_cast<double>(m.step), m.time,        m.errors.L1,  m.errors.L2, m.errors.Linf,
+        m.density_percent,           m.min_density, m.max_density};
+    csv.row(row);
+}
+
+}  // namespace
+
+int run_experiment(const ExperimentArguments& arguments) {
+    Scene scene = scene_of(experiment(arguments.scene));
+    apply_settings(scene, arguments.set);
+    const std::vector<int>& at = arguments.at;
+    const int steps =
+        !at.empty() ? *std::max_element(at.begin(), at.end()) : arguments.steps.value_or(scene.steps);
+    if (steps < 0 || std::any_of(at.begin(), at.end(), [](int step) { return step < 0; })) {
+        throw InputError("a step is a whole number, 0 or more");
+    }
+    PictureOutput picture(arguments);
+
+    Pool pool(arguments.threads);
+    Lane lane(scene, pool);
+    std::optional<Series> csv;
+    // Rows are what an experiment is run for: they go to standard output unless something else was asked for.
+    const std::string file = arguments.csv.empty() && arguments.picture.empty() ? "-" : arguments.csv;
+    if (!file.empty()) csv.emplace(file, "step,time,L1,L2,Linf,density_percent,min,max");
+    {
+        Progress progress(arguments.scene, steps);
+        for (int step = 0; step <= steps; ++step) {
+            if (step > 0 && !lane.step()) throw NotFinite(*lane.failure());
+            const bool wanted = at.empty() ? step > 0 : std::find(at.begin(), at.end(), step) != at.end();
+            if (csv && wanted) write_row(*csv, lane.simulation().measures());
+            progress.at(step);
+        }
+    }
+    if (csv) csv->finish();
+    picture.write(lane, pool);
+    return 0;
+}
+
+}  // namespace whorl::app

@@ -1,0 +1,139 @@
+// `whorl list`: what there is to choose from, from the scheme lists and the parameter table.
+#include <algorithm>
+#include <cstdio>
+#include <vector>
+
+#include "app/cli/verbs.h"
+#include "app/render/colour_map.h"
+#include "app/scenes/presets.h"
+#include "core/experiments/experiment.h"
+#include "core/scene/error.h"
+#include "core/scene/parameters.h"
+#include "core/schemes/suggest.h"
+
+namespace whorl::app {
+namespace {
+
+using Row = std::vector<std::string>;
+
+/// Rows in columns as wide as they need to be. UTF-8 counts by letters.
+void print(const std::vector<Row>& rows) {
+    const auto letters = [](const std::string& s) {
+        return std::count_if(s.begin(), s.end(),
+                             [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; });
+    };
+    std::vector<std::ptrdiff_t> widths;
+    for (const Row& row : rows) {
+        widths.resize(std::max(widths.size(), row.size()));
+        for (std::size_t k = 0; k < row.size(); ++k) widths[k] = std::max(widths[k], letters(row[k]));
+    }
+    for (const Row& row : rows) {
+        std::string line = " ";
+        for (std::size_t k = 0; k < row.size(); ++k) {
+            line +=
+                ' ' + row[k] + std::string(static_cast<std::size_t>(widths[k] - letters(row[k])) + 1, ' ');
+        }
+        line.erase(line.find_last_not_of(' ') + 1);
+        std::puts(line.c_str());
+    }
+}
+
+std::vector<Row> scheme_rows(std::span<const SchemeInfo> infos) {
+    std::vector<Row> rows;
+    for (const SchemeInfo& i : infos) {
+        rows.push_back(
+            {std::string(i.key), std::string(i.label), std::string(i.help), std::string(i.source)});
+    }
+    return rows;
+}
+
+/// The choices of a parameter, under the parameter's key in the plural.
+std::vector<Row> choice_rows(std::string_view key) {
+    return scheme_rows(parameter(key).choices);
+}
+
+std::vector<Row> preset_rows() {
+    std::vector<Row> rows;
+    for (const Preset& p : presets()) rows.push_back({std::string(p.key), p.scene().title});
+    return rows;
+}
+
+std::vector<Row> experiment_rows() {
+    std::vector<Row> rows;
+    for (const Experiment& e : experiments()) {
+        if (e.listed)
+            rows.push_back({std::string(e.info.key), std::string(e.info.help), std::string(e.info.source)});
+    }
+    return rows;
+}
+
+std::vector<Row> map_rows() {
+    std::vector<Row> rows;
+    for (const ColourMap& m : colour_maps()) rows.push_back({std::string(m.key), std::string(m.label)});
+    return rows;
+}
+
+std::vector<Row> parameter_rows() {
+    std::vector<Row> rows{{"key", "default", "range", "unit", "meaning"}};
+    for (const Parameter& p : parameters()) {
+        if (p.key.starts_with("velocity.") || p.key.starts_with("scalars.")) continue;
+        std::string range;
+        if (p.kind == Parameter::Kind::Choice) {
+            for (const SchemeInfo& choice : p.choices)
+                range += (range.empty() ? "" : " ") + std::string(choice.key);
+            if (range.size() > 44) range = "see whorl list " + p.key + "s";
+        } else {
+            range = p.kind == Parameter::Kind::Truth ? "true false" : p.text(p.min) + " … " + p.text(p.max);
+        }
+        rows.push_back({p.key, p.text(p.default_value()), range, p.unit.empty() ? "–" : p.unit, p.help});
+    }
+    return rows;
+}
+
+struct Listing {
+    std::string_view name;
+    std::vector<Row> (*rows)();
+};
+
+constexpr Listing listings[] = {
+    {"presets", preset_rows},
+    {"experiments", experiment_rows},
+    {"advectors", [] { return choice_rows("advector"); }},
+    {"bases", [] { return choice_rows("base"); }},
+    {"interpolations", [] { return choice_rows("interpolation"); }},
+    {"axis-orders", [] { return choice_rows("axis-order"); }},
+    {"tracers", [] { return choice_rows("tracer"); }},
+    {"limiters", [] { return choice_rows("limiter"); }},
+    {"stencils", [] { return choice_rows("stencil"); }},
+    {"weights", [] { return choice_rows("weights"); }},
+    {"orders", [] { return choice_rows("order"); }},
+    {"sides", [] { return choice_rows("sides"); }},
+    {"pressures", [] { return choice_rows("pressure"); }},
+    {"maps", map_rows},
+    {"parameters", parameter_rows},
+};
+
+}  // namespace
+
+int run_list(const ListArguments& arguments) {
+    if (!arguments.what.empty()) {
+        std::vector<std::string_view> names;
+        for (const Listing& listing : listings) {
+            if (listing.name == arguments.what) {
+                print(listing.rows());
+                return 0;
+            }
+            names.push_back(listing.name);
+        }
+        throw InputError("nothing is called \"" + arguments.what + "\"; " +
+                         suggestion(arguments.what, names));
+    }
+    for (const Listing& listing : listings) {
+        std::printf("%s%s\n", &listing == listings ? "" : "\n", std::string(listing.name).c_str());
+        print(listing.rows());
+    }
+    std::puts("\nA scheme's key also takes the prefix velocity. or scalars. to set one of the two alone.");
+    return 0;
+}
+
+}  // namespace whorl::app

@@ -1,0 +1,48 @@
+// The plot widget: curves over steps, with axes, legend and the values under the pointer.
+#pragma once
+
+#include <imgui.h>
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "app/render/theme.h"
+
+namespace whorl::app {
+
+/// One curve. Samples that are NaN or infinite leave a gap.
+struct Series {
+    std::string_view label;
+    ImU32 colour;
+    std::span<const float> y;
+    bool dots = false;  ///< marks the samples too, where they lie apart
+};
+
+/// An interval of an axis.
+struct Interval {
+    double lo;
+    double hi;
+};
+
+/// What a plot shows. Samples lie at `x_first + k · x_stride`, or at `x[k]` (ascending) if `x` is not empty.
+struct Plot {
+    std::string_view title;
+    std::string_view unit = {};        ///< of y, behind the title
+    std::string_view x_name = "step";  ///< in the tooltip
+    double x_first = 0.0;
+    double x_stride = 1.0;  ///< positive
+    std::span<const float> x = {};
+    bool log_y = false;                    ///< values not above 0 leave a gap
+    std::optional<Interval> y_range = {};  ///< fitted to the curves if empty
+    std::optional<double> marker = {};     ///< hairline where another plot is hovered
+    ImVec2 size = {0.0f, 160.0f};          ///< of the card, pixels; no width takes all there is
+    std::string_view empty_text = "no samples yet";
+};
+
+/// Draws a card at ImGui's cursor and advances it. A curve costs a pass over its samples (10 µs for 10,000)
+/// and draws at most two points a pixel column.
+/// @return x of the sample under the pointer, if any: pass it to the other plots as `marker`
+std::optional<double> draw_plot(const Theme& theme, const Plot& plot, std::span<const Series> series);
+
+}  // namespace whorl::app

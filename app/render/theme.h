@@ -1,0 +1,54 @@
+// How everything looks: colours, fonts and ImGui's style.
+#pragma once
+
+#include <imgui.h>
+
+#include <array>
+#include <cmath>
+
+namespace whorl::app {
+
+/// The colours that drawing code takes by role.
+struct Palette {
+    ImU32 background;  ///< behind everything
+    ImU32 panel;       ///< a column of controls
+    ImU32 card;        ///< a plot on a panel
+    ImU32 frame;       ///< a control
+    ImU32 border;      ///< one pixel around panels, cards and pictures
+    ImU32 grid;        ///< lines behind a plot
+    ImU32 text;
+    ImU32 text_dim;               ///< captions, axes, units
+    ImU32 accent;                 ///< what is active; used sparingly
+    ImU32 accent_text;            ///< on the accent
+    ImU32 hairline;               ///< under the pointer
+    std::array<ImU32, 6> series;  ///< plots' curves, in order; told apart by lightness too
+};
+
+Palette dark_palette();
+/// For pictures that go on paper.
+Palette light_palette();
+
+/// Fonts of the current ImGui context, and its palette. A value: copy it freely, it dies with the context's
+/// fonts.
+struct Theme {
+    float scale = 1.0f;       ///< framebuffer pixels to a point
+    ImFont* body = nullptr;   ///< 14 points
+    ImFont* bold = nullptr;   ///< 14 points, section headings
+    ImFont* title = nullptr;  ///< 17 points
+    ImFont* small = nullptr;  ///< 12 points, captions and axes
+    ImFont* mono = nullptr;   ///< 12.5 points, figures that change
+    Palette palette;
+
+    /// Points to framebuffer pixels, whole ones.
+    float px(float points) const { return std::round(points * scale); }
+};
+
+/// Replaces the fonts and the style of the current ImGui context. A font file that is not installed is
+/// replaced by ImGui's own. Call between frames. To change the scale of a window that has drawn already, call
+/// ImGui_ImplOpenGL3_DestroyFontsTexture before and ImGui_ImplOpenGL3_CreateFontsTexture after.
+Theme load_theme(float content_scale, const Palette& palette = dark_palette());
+
+/// Colour with its alpha multiplied by `alpha` in [0, 1].
+ImU32 faded(ImU32 colour, float alpha);
+
+}  // namespace whorl::app

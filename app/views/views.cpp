@@ -1,0 +1,125 @@
+#include "app/views/views.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "app/plot/ticks.h"
+#include "core/scene/error.h"
+#include "core/schemes/suggest.h"
+
+namespace whorl::app {
+namespace {
+
+float about_zero(const Snapshot&) {
+    return 0;
+}
+
+const Field* difference(const Snapshot& s, Field& scratch) {
+    if (!s.has_exact) return nullptr;
+    if (!scratch.same_shape(s.density)) scratch = s.density;
+    for (int j = 0; j < scratch.height(); ++j) {
+        for (int i = 0; i < scratch.width(); ++i) scratch(i, j) = s.density(i, j) - s.exact(i, j);
+    }
+    return &scratch;
+}
+
+constexpr View table[] = {
+    {"density", "Smoke density", "ρ", "How much smoke there is.", "magma",
+     [](const Snapshot& s, Field&) { return &s.density; }, nullptr},
+    {"temperature", "Temperature", "degrees", "Cold is blue, warm is red, still air is in the middle.",
+     "blue-red", [](const Snapshot& s, Field&) { return &s.temperature; },
+     [](const Snapshot& s) { return static_cast<float>(s.scene.ambient); }},
+    {"speed", "Speed", "length/time", "|u| at cell centres.", "viridis",
+     [](const Snapshot& s, Field&) { return &s.speed; }, nullptr},
+    {"vorticity", "Vorticity", "1/time", "ω = ∂v/∂x − ∂u/∂y: red turns to the left, blue to the right.",
+     "blue-dark-red", [](const Snapshot& s, Field&) { return &s.vorticity; }, about_zero},
+    {"pressure", "Pressure", "p", "Of the last projection.", "blue-dark-red",
+     [](const Snapshot& s, Field&) { return &s.pressure; }, about_zero},
+    {"divergence", "Divergence", "1/time", "∇·u at the step's end: what the next projection takes away.",
+     "blue-dark-red", [](const Snapshot& s, Field&) { return &s.divergence; }, about_zero},
+    {"exact", "Exact solution", "ρ", "What the density would be without any error.", "magma",
+     [](const Snapshot& s, Field&) { return s.has_exact ? &s.exact : nullptr; }, nullptr},
+    {"difference", "Difference", "ρ", "Numerical less exact density.", "blue-dark-red", difference,
+     about_zero},
+};
+
+}  // namespace
+
+std::span<const View> views() {
+    return table;
+}
+
+const View& view(std::string_view key) {
+    std::vector<std::string_view> keys;
+    for (const View& v : views()) {
+        if (v.key == key) return v;
+        keys.push_back(v.key);
+    }
+    throw InputError("unknown view \"" + std::string(key) + "\"; " + suggestion(key, keys));
+}
+
+Range View::automatic_range(const Snapshot& snapshot, const Field& values) const {
+    const float centre = middle ? middle(snapshot) : 0;
+    float largest = 0;
+    for (int j = 0; j < values.height(); ++j) {
+        for (int i = 0; i < values.width(); ++i) {
+            if (snapshot.solids[static_cast<std::size_t>(j) * values.width() + i] != 0) continue;
+            const float value = static_cast<float>(values(i, j));
+            largest = std::max(largest, middle ? std::abs(value - centre) : value);
+        }
+    }
+    if (!(largest > 0)) largest = 1;
+    return {middle ? centre - largest : 0, centre + largest};
+}
+
+std::string describe(const SchemeSet& s) {
+    std::string text(s.advector.info().label);
+    if (s.predictor_corrector() && s.affine()) text += " over " + std::string(s.base.info().label);
+    if (s.affine()) {
+        text += " · ζ = " + std::to_string(s.zeta);
+        if (s.zeta > 0)
+            text += " · " + std::string(s.weights.info().label) + " · " + std::string(s.stencil.info().label);
+    } else {
+        text += " · " + std::string(s.interpolation.info().label) + (s.clamped ? ", clamped" : "");
+    }
+    if (s.advector != Advectors::of<SemiLagrangian>() && s.limiter != Limiters::of<ClampLimiter>()) {
+        text += " · limiter: " + std::string(s.limiter.key());
+    }
+    return text + " · " + std::string(s.tracer.info().label);
+}
+
+std::string caption(const Snapshot& s) {
+    std::string text = s.scene.velocity == s.scene.scalars ? describe(s.scene.scalars)
+                                                           : "Velocity: " + describe(s.scene.velocity) +
+                                                                 "\nScalars: " + describe(s.scene.scalars);
+    return text + "\n" + std::to_string(s.grid.nx) + " × " + std::to_string(s.grid.ny) +
+           " · Δt = " + figure(s.scene.dt) + " · step " + std::to_string(s.measures.step) +
+           " · t = " + figure(s.measures.time);
+}
+
+Image picture_of(const Snapshot& snapshot, const PictureStyle& style, PictureRenderer& renderer) {
+    Field scratch;
+    const Field* field = style.view->field(snapshot, scratch);
+    if (field == nullptr) {
+        throw InputError("there is no " + std::string(style.view->key) + " to show at step " +
+                         std::to_string(snapshot.measures.step) + " of " + snapshot.scene.experiment);
+    }
+    const Range range = style.range ? *style.range : style.view->automatic_range(snapshot, *field);
+    const ColourMap* map = style.map ? style.map : find_colour_map(style.view->map);
+    return renderer.render({.field = *field,
+                            .map = *map,
+                            .lo = range.lo,
+                            .hi = range.hi,
+                            .solids = snapshot.solids,
+                            .arrows = style.arrows ? &snapshot.velocity : nullptr,
+                            .cells = {snapshot.grid.nx, snapshot.grid.ny},
+                            .crisp = style.crisp,
+                            .title = snapshot.scene.title,
+                            .label = std::string(style.view->label) + "  " + std::string(style.view->unit),
+                            .caption = caption(snapshot),
+                            .width = style.width,
+                            .light = style.light});
+}
+
+}  // namespace whorl::app

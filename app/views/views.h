@@ -1,0 +1,61 @@
+// What of a snapshot can be looked at: one table for the window, the command line and the pictures.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "app/render/picture.h"
+#include "core/session/snapshot.h"
+
+namespace whorl::app {
+
+/// Values at the two ends of a colour bar.
+struct Range {
+    float lo, hi;
+};
+
+/// A quantity to look at.
+struct View {
+    std::string_view key;
+    std::string_view label;
+    std::string_view unit;
+    std::string_view help;
+    std::string_view map;  ///< key of the colour map that suits it
+    /// The field, computed into `scratch` where the snapshot does not hold it; null where there is none.
+    const Field* (*field)(const Snapshot&, Field& scratch);
+    /// The value in the middle of the colours for one that diverges; null for one that grows from 0.
+    float (*middle)(const Snapshot&);
+
+    /// The range that shows all of the field's fluid cells: from 0, or symmetric about the middle.
+    Range automatic_range(const Snapshot& snapshot, const Field& values) const;
+};
+
+/// All views; the first is the default.
+std::span<const View> views();
+
+/// @throws InputError that names the nearest keys
+const View& view(std::string_view key);
+
+/// A scheme set in the words of the thesis: "MacCormack · linear · midpoint".
+std::string describe(const SchemeSet& schemes);
+
+/// The caption of a picture: schemes, resolution, Δt, step and time.
+std::string caption(const Snapshot& snapshot);
+
+/// How to draw a picture of a snapshot.
+struct PictureStyle {
+    const View* view = nullptr;
+    const ColourMap* map = nullptr;  ///< null takes the view's own
+    const Range* range = nullptr;    ///< null takes the automatic one
+    bool crisp = false;
+    bool light = false;
+    bool arrows = false;
+    int width = 900;
+};
+
+/// Draws a snapshot with its colour bar and caption.  Needs a current OpenGL context, see PictureRenderer.
+/// @throws InputError if the view has no field in this snapshot
+Image picture_of(const Snapshot& snapshot, const PictureStyle& style, PictureRenderer& renderer);
+
+}  // namespace whorl::app

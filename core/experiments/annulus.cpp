@@ -1,0 +1,37 @@
+#include "core/experiments/annulus.h"
+
+#include <cmath>
+
+namespace whorl {
+
+double annulus(double r) {
+    const double s = (r - 6) / 2;
+    return std::abs(s) < 1 ? (1 - s * s) * (1 - s * s) : 0;
+}
+
+void write_annulus(const Grid& grid, WorldPoint centre, Field& q) {
+    const auto apart = [](double a, double b, double period) { return std::remainder(a - b, period); };
+    for (int j = 0; j < q.height(); ++j) {
+        for (int i = 0; i < q.width(); ++i) {
+            const WorldPoint at = world(q, grid, i, j);
+            const double dx = apart(at.x, centre.x, grid.width());
+            const double dy = grid.dimensions() == 1 ? 0 : apart(at.y, centre.y, grid.height());
+            q(i, j) = static_cast<Real>(annulus(std::hypot(dx, dy)));
+        }
+    }
+}
+
+void thesis_test(Scene& scene) {
+    scene.width = scene.height = 40;
+    scene.resolution = 40;
+    scene.sides = Sides::of<Periodic>();
+    scene.dt = 1.0 / 60;
+    scene.steps = 1200;
+}
+
+void write_uniform_flow(double u, double v, FaceVelocity& velocity) {
+    velocity.u.set_all(static_cast<Real>(u));
+    velocity.v.set_all(static_cast<Real>(v));
+}
+
+}  // namespace whorl

@@ -1,0 +1,58 @@
+// Two shear layers that roll up into vortices.  [Bell, Colella and Glaz 1989]
+#include <cmath>
+#include <numbers>
+
+#include "core/experiments/experiment.h"
+
+namespace whorl {
+namespace {
+
+constexpr double speed = 6;       // length/time, so that the roll-up takes a few seconds
+constexpr double thickness = 30;  // the paper's ρ: how steep the layers are
+constexpr double kick = 0.05;     // the paper's δ: how much the layers are bent, as a share of the speed
+
+/// Velocity of the layers at height y in [0, 1].
+double layers(double y) {
+    return y <= 0.5 ? std::tanh(thickness * (y - 0.25)) : std::tanh(thickness * (0.75 - y));
+}
+
+void start(State& state) {
+    const Grid& grid = state.grid();
+    FaceVelocity& velocity = state.velocity;
+    for (int j = 0; j < velocity.u.height(); ++j) {
+        for (int i = 0; i < velocity.u.width(); ++i) {
+            velocity.u(i, j) =
+                static_cast<Real>(speed * layers(world(velocity.u, grid, i, j).y / grid.height()));
+        }
+    }
+    for (int j = 0; j < velocity.v.height(); ++j) {
+        for (int i = 0; i < velocity.v.width(); ++i) {
+            const double x = world(velocity.v, grid, i, j).x / grid.width();
+            velocity.v(i, j) = static_cast<Real>(speed * kick * std::sin(2 * std::numbers::pi * x));
+        }
+    }
+    for (int j = 0; j < grid.ny; ++j) {
+        for (int i = 0; i < grid.nx; ++i) {
+            const double y = world(state.density, grid, i, j).y / grid.height();
+            state.density(i, j) = static_cast<Real>(0.5 + 0.5 * layers(y));
+        }
+    }
+}
+
+}  // namespace
+
+Experiment shear_layer() {
+    return {.info = {"shear-layer", "Shear layers", "Bell, Colella and Glaz 1989",
+                     "Two layers of opposite flow roll up into vortices; dissipation decides how fine."},
+            .setup =
+                [](Scene& s) {
+                    s.sides = Sides::of<Periodic>();
+                    s.steps = 720;
+                },
+            .start = start,
+            .flow = nullptr,
+            .exact = nullptr,
+            .listed = false};
+}
+
+}  // namespace whorl

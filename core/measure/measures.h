@@ -1,0 +1,62 @@
+// The numbers of one step: conservation, energy, enstrophy, extrema.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/parallel/pool.h"
+#include "core/scene/state.h"
+
+namespace whorl {
+
+/// Milliseconds that the phases of a step took.
+struct PhaseTimes {
+    double forces = 0, projection = 0, advection = 0, total = 0;
+};
+
+/// Errors against an exact solution; not a number where none is known.  [T 5.4, 5.6, 5.7]
+struct Errors {
+    double L1, L2, Linf;
+};
+
+struct Measures {
+    long step = 0;
+    double time = 0;
+    double density_percent = 0;  ///< 100 ∫ρ over what was put in; NaN if nothing was  [T 5.5]
+    double kinetic_energy = 0;   ///< ½ ∫|u|², from face velocities
+    double enstrophy = 0;        ///< ½ ∫ω²
+    double divergence_before = 0, divergence_after = 0;  ///< max |∇·u| around the projection, 1/time
+    double relative_divergence = 0;                      ///< max |∇·u| h / |u|max after the projection
+    double min_density = 0, max_density = 0;
+    double cfl = 0;  ///< |u|max Δt / h
+    Errors errors;
+    PhaseTimes ms;
+    int pressure_iterations = 0;
+    double pressure_residual = 0;
+    double removed_mean = 0;  ///< divergence taken out of a closed component, 1/time
+};
+
+/// Names the first field that holds a value that is not finite, and where; empty if all is well.
+std::string not_finite(const State& state);
+
+/// Measures states; keeps its scratch field from step to step.
+class Meter {
+  public:
+    /// Fills in all that depends on the state alone.
+    void measure(const State& state, double dt, Pool& pool, Measures& out);
+    /// Whether every number of the last measured state was finite.
+    bool finite() const { return finite_; }
+
+  private:
+    struct Row {
+        double density, heat, energy, enstrophy, min, max, speed;
+    };
+    Field vorticity_;
+    std::vector<Row> rows_;
+    bool finite_ = true;
+};
+
+/// L1 = Σ|q−Q| h^d, L2 = √(Σ(q−Q)² h^d), L∞ = max|q−Q|, over all cells.  [T 5.4, 5.6, 5.7]
+Errors errors(const Field& q, const Field& exact, const Grid& grid);
+
+}  // namespace whorl

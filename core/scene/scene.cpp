@@ -1,0 +1,38 @@
+#include "core/scene/scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace whorl {
+namespace {
+
+std::string conflict_of(const SchemeSet& s, std::string_view what, const Scene& scene) {
+    const std::string of = " for the " + std::string(what);
+    if (s.affine() && s.interpolation != Interpolations::of<Linear>()) {
+        return std::string(s.predictor_corrector() ? s.base.key() : s.advector.key()) +
+               " takes values and gradients from linear weights (thesis eq. 4.2-4.3), not from " +
+               std::string(s.interpolation.key()) + of + "; set interpolation=linear";
+    }
+    const Grid grid = scene.grid();
+    const bool too_few =
+        grid.nx < BSpline::min_samples || (grid.dimensions() == 2 && grid.ny < BSpline::min_samples);
+    if (s.interpolation == Interpolations::of<BSpline>() && scene.sides == Sides::of<Box>() && too_few) {
+        return "b-spline needs at least 4 cells along each side of a box (thesis table A.3)" + of;
+    }
+    return {};
+}
+
+}  // namespace
+
+Grid Scene::grid() const {
+    const double h = width / resolution;
+    const int ny = dimensions == 1 ? 1 : std::max(2, static_cast<int>(std::lround(height / h)));
+    return {resolution, ny, h};
+}
+
+std::string conflict(const Scene& scene) {
+    const std::string velocity = conflict_of(scene.velocity, "velocity", scene);
+    return velocity.empty() ? conflict_of(scene.scalars, "scalars", scene) : velocity;
+}
+
+}  // namespace whorl

@@ -1,0 +1,112 @@
+#include "core/scene/state.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/interpolation/linear.h"
+
+namespace whorl {
+namespace {
+
+bool inside(const Obstacle& o, WorldPoint p) {
+    if (o.radius > 0) return std::hypot(p.x - o.x, p.y - o.y) < o.radius;
+    return std::abs(p.x - o.x) < o.width / 2 && std::abs(p.y - o.y) < o.height / 2;
+}
+
+std::vector<std::uint8_t> solids_of(const Scene& scene, const Grid& grid) {
+    std::vector<std::uint8_t> mask(static_cast<std::size_t>(grid.nx) * grid.ny, 0);
+    for (int j = 0; j < grid.ny; ++j) {
+        for (int i = 0; i < grid.nx; ++i) {
+            const WorldPoint centre{(i + 0.5) * grid.h, (j + 0.5) * grid.h};
+            const bool solid = std::any_of(scene.obstacles.begin(), scene.obstacles.end(),
+                                           [&](const Obstacle& o) { return inside(o, centre); });
+            mask[static_cast<std::size_t>(j) * grid.nx + i] = solid ? 1 : 0;
+        }
+    }
+    return mask;
+}
+
+State still_air(const Scene& scene) {
+    State state;
+    state.boundary = Boundary(scene.grid(), scene.sides);
+    state.velocity = state.boundary.velocity();
+    state.density = state.boundary.field(Site::Centre);
+    state.temperature = state.boundary.field(Site::Centre, static_cast<Real>(scene.ambient));
+    state.pressure = state.boundary.field(Site::Centre);
+    return state;
+}
+
+void resample_field(const Field& from, const Boundary& boundary, Field& to, const Grid& grid) {
+    for (int j = 0; j < to.height(); ++j) {
+        for (int i = 0; i < to.width(); ++i) to(i, j) = value_at(from, boundary, world(to, grid, i, j));
+    }
+}
+
+}  // namespace
+
+State make_state(const Scene& scene) {
+    State state = still_air(scene);
+    state.boundary.set_solids(solids_of(scene, state.grid()));
+    state.boundary.enforce(state.velocity);
+    state.fill_ghosts();
+    return state;
+}
+
+double total(const Field& field, const Boundary& boundary) {
+    double sum = 0;
+    for (int j = 0; j < field.height(); ++j) {
+        double row = 0;
+        for (int i = 0; i < field.width(); ++i) {
+            if (!boundary.has_solids() || !boundary.solid(i, j)) row += static_cast<double>(field(i, j));
+        }
+        sum += row;
+    }
+    return sum * boundary.grid().cell();
+}
+
+Real value_at(const Field& field, const Boundary& boundary, WorldPoint at) {
+    const double h = boundary.grid().h;
+    const auto place = [&](double p, double offset, int n) {
+        double x = p / h - offset;
+        if (boundary.periodic()) {
+            x -= n * std::floor(x / n);
+        } else {
+            x = std::clamp(x, 0.0, static_cast<double>(n - 1));
+        }
+        const int i = std::min(static_cast<int>(x), n - 1);
+        return std::pair{i, static_cast<Real>(x - i)};
+    };
+    const auto [i, x] = place(at.x, offset_x(field.site()), field.width());
+    const auto [j, y] = place(at.y, offset_y(field.site()), field.height());
+    return Linear::at(Linear::at(field(i, j), field(i + 1, j), x),
+                      Linear::at(field(i, j + 1), field(i + 1, j + 1), x), y);
+}
+
+State resample(const State& from, const Scene& scene) {
+    State to = still_air(scene);
+    const Grid& grid = to.grid();
+    std::vector<std::uint8_t> mask(static_cast<std::size_t>(grid.nx) * grid.ny, 0);
+    for (int j = 0; j < grid.ny; ++j) {
+        for (int i = 0; i < grid.nx; ++i) {
+            const int from_i =
+                std::min(static_cast<int>((i + 0.5) * grid.h / from.grid().h), from.grid().nx - 1);
+            const int from_j =
+                std::min(static_cast<int>((j + 0.5) * grid.h / from.grid().h), from.grid().ny - 1);
+            mask[static_cast<std::size_t>(j) * grid.nx + i] = from.boundary.solid(from_i, from_j) ? 1 : 0;
+        }
+    }
+    to.boundary.set_solids(std::move(mask));
+    resample_field(from.density, from.boundary, to.density, grid);
+    resample_field(from.temperature, from.boundary, to.temperature, grid);
+    resample_field(from.pressure, from.boundary, to.pressure, grid);
+    resample_field(from.velocity.u, from.boundary, to.velocity.u, grid);
+    resample_field(from.velocity.v, from.boundary, to.velocity.v, grid);
+    to.boundary.enforce(to.velocity);
+    to.fill_ghosts();
+    to.step = from.step;
+    to.time = from.time;
+    to.put_in = from.put_in + total(to.density, to.boundary) - total(from.density, from.boundary);
+    return to;
+}
+
+}  // namespace whorl

@@ -1,0 +1,13 @@
+// The valid words nearest to a mistyped one.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace whorl {
+
+/// `did you mean "x" or "y"?` with the candidates nearest to `word` by edits; all of them where they are few.
+std::string suggestion(std::string_view word, std::span<const std::string_view> candidates);
+
+}  // namespace whorl

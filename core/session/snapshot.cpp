@@ -1,0 +1,51 @@
+#include "core/session/snapshot.h"
+
+#include <cmath>
+
+#include "core/measure/vorticity.h"
+
+namespace whorl {
+namespace {
+
+void speed_and_divergence(const State& state, Pool& pool, Snapshot& out) {
+    const Grid& grid = state.grid();
+    pool.bands(grid.ny, [&](int first, int last) {
+        for (int j = first; j < last; ++j) {
+            const Real* u = state.velocity.u.row(j);
+            const Real* v = state.velocity.v.row(j);
+            const Real* v_above = state.velocity.v.row(j + 1);
+            const Real over_h = static_cast<Real>(1 / grid.h);
+            for (int i = 0; i < grid.nx; ++i) {
+                const Real x = (u[i] + u[i + 1]) * Real(0.5);
+                const Real y = (v[i] + v_above[i]) * Real(0.5);
+                out.speed(i, j) = std::sqrt(x * x + y * y);
+                out.divergence(i, j) = (u[i + 1] - u[i] + v_above[i] - v[i]) * over_h;
+            }
+        }
+    });
+}
+
+}  // namespace
+
+void take_snapshot(const Lane& lane, Pool& pool, Snapshot& out) {
+    const Simulation& simulation = lane.simulation();
+    const State& state = simulation.state();
+    out.scene = simulation.scene();
+    out.failure = lane.failure();
+    out.measures = simulation.measures();
+    out.grid = state.grid();
+    out.periodic = state.boundary.periodic();
+    out.solids = state.boundary.solids();
+    out.velocity = state.velocity;
+    out.density = state.density;
+    out.temperature = state.temperature;
+    out.pressure = state.pressure;
+    for (Field* field : {&out.speed, &out.vorticity, &out.divergence, &out.exact}) {
+        if (!field->same_shape(state.density)) *field = state.boundary.field(Site::Centre);
+    }
+    speed_and_divergence(state, pool, out);
+    vorticity(state.velocity, state.boundary, out.vorticity, pool);
+    out.has_exact = simulation.exact(out.exact);
+}
+
+}  // namespace whorl

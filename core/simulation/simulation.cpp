@@ -1,0 +1,173 @@
+#include "core/simulation/simulation.h"
+
+#include <chrono>
+#include <limits>
+#include <stdexcept>
+
+#include "core/forces/buoyancy.h"
+#include "core/forces/emitters.h"
+#include "core/scene/error.h"
+#include "core/scene/parameters.h"
+
+namespace whorl {
+namespace {
+
+/// Adds the time until the end of a scope to `ms`.
+class Stopwatch {
+  public:
+    explicit Stopwatch(double& ms) : ms_(ms), start_(Clock::now()) {}
+    ~Stopwatch() { ms_ += std::chrono::duration<double, std::milli>(Clock::now() - start_).count(); }
+    Stopwatch(const Stopwatch&) = delete;
+    Stopwatch& operator=(const Stopwatch&) = delete;
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    double& ms_;
+    Clock::time_point start_;
+};
+
+void require_no_conflict(const Scene& scene) {
+    const std::string reason = conflict(scene);
+    if (!reason.empty()) throw InputError(reason);
+}
+
+}  // namespace
+
+Simulation::Simulation(Scene scene, Pool& pool) : scene_(std::move(scene)), pool_(&pool) {
+    require_no_conflict(scene_);
+    flush_denormals();
+    restart();
+}
+
+void Simulation::restart() {
+    experiment_ = &experiment(scene_.experiment);
+    state_ = make_state(scene_);
+    if (experiment_->start) experiment_->start(state_);
+    if (experiment_->flow) experiment_->flow(0, state_.grid(), state_.velocity);
+    if (!experiment_->flow) state_.boundary.enforce(state_.velocity);
+    state_.fill_ghosts();
+    state_.put_in = total(state_.density, state_.boundary);
+    set_scene(scene_);
+    measures_ = {};
+    measure();
+}
+
+void Simulation::set_scene(const Scene& scene) {
+    scene_ = scene;
+    if (!(state_.grid() == scene.grid()) ||
+        state_.boundary.periodic() != (scene.sides == Sides::of<Periodic>())) {
+        state_ = resample(state_, scene);
+    }
+    if (!next_density_.same_shape(state_.density) || !next_velocity_.u.same_shape(state_.velocity.u)) {
+        next_velocity_ = state_.boundary.velocity();
+        for (Field* field : {&next_density_, &next_temperature_, &exact_}) {
+            *field = state_.boundary.field(Site::Centre);
+        }
+    }
+    velocity_mover_.set(scene.velocity, scene.dimensions, scene.seed);
+    scalars_mover_.set(scene.scalars, scene.dimensions, scene.seed);
+    projection_.set_solver(scene.pressure, scene.tolerance);
+}
+
+void Simulation::apply(const Command& command) {
+    std::visit(
+        [&]<class C>(const C& c) {
+            if constexpr (std::is_same_v<C, SetParameter>) {
+                Scene changed = scene_;
+                set_parameter(changed, c.key, c.value);
+                require_no_conflict(changed);
+                set_scene(changed);
+            } else if constexpr (std::is_same_v<C, Restart>) {
+                restart();
+            } else if constexpr (std::is_same_v<C, ObstacleStroke>) {
+                whorl::apply(c, state_, scene_.ambient);
+            } else {
+                whorl::apply(c, state_);
+            }
+        },
+        command);
+}
+
+void Simulation::step() {
+    measures_.ms = {};
+    {
+        const Stopwatch total(measures_.ms.total);
+        if (experiment_->flow) {
+            experiment_->flow(state_.time, state_.grid(), state_.velocity);
+            state_.boundary.fill(state_.velocity);
+            advect();
+        } else {
+            add_forces();
+            if (scene_.order == StepOrders::of<ThesisOrder>()) {
+                project();
+                advect();
+            } else {
+                advect();
+                project();
+            }
+        }
+        ++state_.step;
+        state_.time += scene_.dt;
+    }
+    measure();
+    if (!meter_.finite()) {
+        throw NotFinite("step " + std::to_string(state_.step) + ": " + not_finite(state_) +
+                        " is not a finite number");
+    }
+}
+
+void Simulation::add_forces() {
+    const Stopwatch watch(measures_.ms.forces);
+    apply_emitters(state_, scene_.emitters, scene_.dt);
+    add_buoyancy(state_, scene_.alpha, scene_.beta, scene_.ambient, scene_.dt, *pool_);
+    state_.boundary.enforce(state_.velocity);
+    confinement_.add(state_, scene_.confinement, scene_.dt, *pool_);
+    state_.boundary.enforce(state_.velocity);
+}
+
+void Simulation::project() {
+    const Stopwatch watch(measures_.ms.projection);
+    const ProjectionReport report =
+        projection_.project(state_.velocity, scene_.dt, state_.boundary, state_.pressure, *pool_);
+    measures_.divergence_before = report.divergence_before;
+    measures_.divergence_after = report.divergence_after;
+    measures_.relative_divergence =
+        report.largest_speed > 0 ? report.divergence_after * state_.grid().h / report.largest_speed : 0;
+    measures_.pressure_iterations = report.solve.iterations;
+    measures_.pressure_residual = report.solve.residual;
+    measures_.removed_mean = report.removed_mean;
+}
+
+void Simulation::advect() {
+    const Stopwatch watch(measures_.ms.advection);
+    const bool solved = experiment_->flow == nullptr;
+    Group scalars;
+    scalars.add(state_.density, next_density_);
+    if (solved) scalars.add(state_.temperature, next_temperature_);
+    scalars_mover_.advect(scalars, state_.velocity, scene_.dt, state_.boundary, *pool_);
+    if (solved) {
+        Group u, v;
+        u.add(state_.velocity.u, next_velocity_.u);
+        v.add(state_.velocity.v, next_velocity_.v);
+        velocity_mover_.advect(u, state_.velocity, scene_.dt, state_.boundary, *pool_);
+        velocity_mover_.advect(v, state_.velocity, scene_.dt, state_.boundary, *pool_);
+        std::swap(state_.velocity, next_velocity_);
+        std::swap(state_.temperature, next_temperature_);
+        state_.boundary.enforce(state_.velocity);
+    }
+    std::swap(state_.density, next_density_);
+}
+
+bool Simulation::exact(Field& density) const {
+    if (experiment_->exact == nullptr) return false;
+    return experiment_->exact(state_.time, scene_.dt, state_.grid(), density);
+}
+
+void Simulation::measure() {
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    meter_.measure(state_, scene_.dt, *pool_, measures_);
+    measures_.errors =
+        exact(exact_) ? errors(state_.density, exact_, state_.grid()) : Errors{unknown, unknown, unknown};
+}
+
+}  // namespace whorl

@@ -1,0 +1,60 @@
+// A running scene: the order of a step, and nothing else.
+#pragma once
+
+#include "core/advection/advect.h"
+#include "core/experiments/experiment.h"
+#include "core/forces/confinement.h"
+#include "core/measure/measures.h"
+#include "core/pressure/projection.h"
+#include "core/simulation/command.h"
+
+namespace whorl {
+
+class Simulation {
+  public:
+    /// @param pool does the work; must outlive the simulation
+    /// @throws InputError if the scene's choices do not go together
+    Simulation(Scene scene, Pool& pool);
+
+    /// One step of Δt.  [T alg 2.1 or F 14]
+    /// @throws NotFinite if a field has lost its numbers; the state is then of no use
+    void step();
+
+    /// Acts before the next step.  @throws InputError, with nothing changed
+    void apply(const Command& command);
+
+    const Scene& scene() const { return scene_; }
+    const State& state() const { return state_; }
+    /// Of the last finished step, or of the start.
+    const Measures& measures() const { return measures_; }
+    /// Writes the exact density at the present time. @return false where it is not known
+    bool exact(Field& density) const;
+
+  private:
+    void restart();
+    void set_scene(const Scene& scene);
+    void add_forces();
+    void project();
+    void advect();
+    void measure();
+
+    Scene scene_;
+    Pool* pool_;
+    const Experiment* experiment_;
+    State state_;
+    Measures measures_;
+
+    Projection projection_;
+    Confinement confinement_;
+    Mover velocity_mover_, scalars_mover_;
+    FaceVelocity next_velocity_;
+    Field next_density_, next_temperature_, exact_;
+    Meter meter_;
+};
+
+/// A field holds a value that is not finite.
+struct NotFinite : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+}  // namespace whorl
