@@ -56,6 +56,7 @@ ProjectionReport Projection::project(FaceVelocity& velocity, double dt, const Bo
         std::min(report.divergence_before * h, speed_that_stays * largest_speed(velocity, pool));
     report.solve = keeper_.solver().solve(right_, enough, p_, pool);
     report.solver = report.solve.solver;
+    report.why_not = keeper_.why_not();
     components_.remove_means(p_, pool);
 
     row_bands(pool, grid_.nx, grid_.ny, [&](int begin, int end) {

@@ -14,6 +14,7 @@ namespace whorl {
 struct ProjectionReport {
     SolveReport solve;
     std::string_view solver;       ///< key of the solver that acted
+    std::string_view why_not;      ///< why the chosen one did not; empty if it did
     double divergence_before = 0;  ///< max |∇·u*|, 1/time
     double divergence_after = 0;   ///< max |∇·u|, 1/time
     double largest_speed = 0;      ///< max over faces of |u|, |v| after, length/time

@@ -30,7 +30,9 @@ void SolverKeeper::follow(const Boundary& boundary, Change change, Pool& pool) {
         standing_in_ = returns_ = false;
         return;
     }
-    const bool refused = !entry().refuses(boundary).empty();
+    const std::string_view refusal = entry().refuses(boundary);
+    const bool refused = !refusal.empty();
+    why_not_ = refused ? refusal : "the walls have just changed";
     returns_ = !anew && !refused && entry().slow_to_prepare;
     standing_in_ = refused || returns_;
     at_rest_ = 0;

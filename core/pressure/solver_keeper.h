@@ -30,6 +30,8 @@ class SolverKeeper {
     void follow(const Boundary& boundary, Change change, Pool& pool);
 
     PressureSolver& solver() { return *(standing_in_ ? stand_in_ : chosen_); }
+    /// Why another solver than the chosen one acts; empty if it does not.
+    std::string_view why_not() const { return standing_in_ ? why_not_ : std::string_view(); }
 
   private:
     const PressureSolverEntry& entry() const { return pressure_solvers()[index_]; }
@@ -39,6 +41,7 @@ class SolverKeeper {
     std::unique_ptr<PressureSolver> chosen_, stand_in_;
     bool prepared_ = false;  ///< whether any solver is, since the choice
     bool standing_in_ = false;
+    std::string_view why_not_;
     bool returns_ = false;  ///< whether the chosen solver takes over later
     int at_rest_ = 0;
     std::future<std::unique_ptr<PressureSolver>> coming_;

@@ -42,9 +42,15 @@ void resample_field(const Field& from, const Boundary& boundary, Field& to, cons
 
 }  // namespace
 
+Boundary boundary_of(const Scene& scene) {
+    Boundary boundary(scene.grid(), scene.sides);
+    if (!scene.obstacles.empty()) boundary.set_solids(solids_of(scene, boundary.grid()));
+    return boundary;
+}
+
 State make_state(const Scene& scene) {
     State state = still_air(scene);
-    state.boundary.set_solids(solids_of(scene, state.grid()));
+    state.boundary = boundary_of(scene);
     state.boundary.enforce(state.velocity);
     state.fill_ghosts();
     return state;

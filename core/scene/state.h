@@ -24,6 +24,9 @@ struct State {
     }
 };
 
+/// The sides and solid cells that a scene sets.
+Boundary boundary_of(const Scene& scene);
+
 /// Still air of the scene's ambient temperature in its domain, with its obstacles.
 State make_state(const Scene& scene);
 
