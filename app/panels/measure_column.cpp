@@ -77,6 +77,17 @@ std::optional<Interval> range_of(const Chart& chart, std::span<const float> y) {
     return {};
 }
 
+/// A plot on a card that costs nothing to fill.
+std::optional<double> draw_card(PanelContext& context, const Plot& plot, std::span<const Series> series) {
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const ImVec2 high{low.x + ImGui::GetContentRegionAvail().x, low.y + plot.size.y};
+    context.slabs.add(*ImGui::GetWindowDrawList(), low, high, context.theme.px(5),
+                      context.theme.palette.card);
+    Theme bare = context.theme;
+    bare.palette.card = 0;
+    return draw_plot(bare, plot, series);
+}
+
 std::optional<double> draw(PanelContext& context, const Chart& chart, float height) {
     std::vector<Series> series;
     for (const Curve& curve : chart.curves) {
@@ -91,7 +102,7 @@ std::optional<double> draw(PanelContext& context, const Chart& chart, float heig
     plot.y_range = range_of(chart, series.front().y);
     plot.marker = context.view.marker;
     plot.size = {0, height};
-    return draw_plot(context.theme, plot, series);
+    return draw_card(context, plot, series);
 }
 
 void draw_frame_time(PanelContext& context, float height) {
@@ -109,7 +120,7 @@ void draw_frame_time(PanelContext& context, float height) {
     plot.size = {0, height};
     const auto& colours = context.theme.palette.series;
     const Series series[] = {{"frame", colours[0], frames.intervals()}, {"busy", colours[1], frames.work()}};
-    draw_plot(context.theme, plot, series);
+    draw_card(context, plot, series);
     context.trace.control("plot=frame-time");
 }
 

@@ -22,6 +22,18 @@ void begin_column(const char* name, const Layout& layout, const Column& column, 
     ImGui::Begin(name, nullptr, fixed | flags);
 }
 
+void begin_panel(const char* name, const Layout& layout, const Column& column, const Theme& theme,
+                 Slabs& slabs) {
+    begin_column(name, layout, column, ImGuiWindowFlags_NoBackground);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 low{column.x, layout.top};
+    const ImVec2 high{column.x + column.width, layout.top + layout.height};
+    list.PushClipRectFullScreen();
+    slabs.add(list, low, high, ImGui::GetStyle().WindowRounding, theme.palette.panel);
+    list.AddRect(low, high, theme.palette.border, ImGui::GetStyle().WindowRounding);
+    list.PopClipRect();
+}
+
 }  // namespace
 
 Workbench::Workbench(const WindowOptions& options, GlfwWindow& window)
@@ -127,11 +139,12 @@ void Workbench::type(const InputEvent& event) {
 void Workbench::draw() {
     const Snapshot& s = remote_.snapshot();
     const Theme& theme = window_.theme();
-    PanelContext context{theme, remote_, view_, history_, frames_, field_, help_, trace_};
+    PanelContext context{theme, remote_, view_, history_, frames_, field_, help_, trace_, slabs_};
+    slabs_.clear();
     const Layout layout = lay_out(theme, s.grid, static_cast<float>(window_.framebuffer_width()),
                                   static_cast<float>(window_.framebuffer_height()));
 
-    begin_column("controls", layout, layout.controls, ImGuiWindowFlags_None);
+    begin_panel("controls", layout, layout.controls, theme, slabs_);
     draw_control_column(context);
     ImGui::End();
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
@@ -140,13 +153,14 @@ void Workbench::draw() {
     ImGui::PopStyleVar();
     place_ = draw_field_area(context);
     ImGui::End();
-    begin_column("measures", layout, layout.measures, ImGuiWindowFlags_None);
+    begin_panel("measures", layout, layout.measures, theme, slabs_);
     draw_measure_column(context);
     ImGui::End();
     draw_help_overlay(context);
     help_.end_frame();
     ImGui::Render();
     // A view chosen this frame has its field from the next one on.
+    painter_.clear(theme, slabs_, window_.framebuffer_height());
     painter_.draw(s, *field_, view_, place_, theme, window_.framebuffer_height());
 }
 

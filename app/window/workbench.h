@@ -40,6 +40,7 @@ class Workbench {
     HoverHelp help_;
     BrushTool brush_;
     FieldPlacement place_;
+    Slabs slabs_;
     FieldPainter painter_;
     PictureTaker pictures_;
     Field scratch_;                 ///< for views that are worked out
