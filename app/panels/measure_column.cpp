@@ -51,7 +51,7 @@ constexpr Chart charts[] = {
 };
 
 bool wanted(const Chart& chart, const Snapshot& s) {
-    if (chart.when == Chart::When::Exact) return s.has_exact;
+    if (chart.when == Chart::When::Exact) return experiment(s.scene.experiment).exact != nullptr;
     if (chart.when == Chart::When::Solved) return experiment(s.scene.experiment).flow == nullptr;
     return true;
 }
@@ -101,6 +101,7 @@ std::optional<double> draw(PanelContext& context, const Chart& chart, float heig
     plot.log_y = chart.logarithmic;
     plot.y_range = range_of(chart, series.front().y);
     plot.marker = context.view.marker;
+    if (chart.when == Chart::When::Exact) plot.empty_text = "no exact solution at these times";
     plot.size = {0, height};
     return draw_card(context, plot, series);
 }
@@ -159,7 +160,7 @@ void draw_measure_column(PanelContext& context) {
                        });
     const float gap = ImGui::GetStyle().ItemSpacing.y;
     const float room = ImGui::GetContentRegionAvail().y / static_cast<float>(count) - gap;
-    const float height = std::floor(std::clamp(room, theme.px(118), theme.px(240)));
+    const float height = std::floor(std::clamp(room, theme.px(118), theme.px(320)));
     std::optional<double> hovered;
     for (const Chart& chart : charts) {
         if (!wanted(chart, context.snapshot())) continue;
