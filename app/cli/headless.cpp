@@ -1,6 +1,8 @@
 #include "app/cli/headless.h"
 
+#include <charconv>
 #include <cstdio>
+#include <optional>
 
 #include "app/views/views.h"
 #include "app/window/egl_context.h"
@@ -20,6 +22,19 @@ const ColourMap* map_of(const RunArguments& arguments) {
     throw InputError("unknown map \"" + arguments.map + "\"; " + suggestion(arguments.map, keys));
 }
 
+/// "0,0.5" as a range.
+std::optional<Range> range_of(const RunArguments& arguments) {
+    if (arguments.range.empty()) return std::nullopt;
+    const char* const end = arguments.range.data() + arguments.range.size();
+    Range range{};
+    const auto [comma, low_error] = std::from_chars(arguments.range.data(), end, range.lo);
+    if (low_error == std::errc{} && comma != end && *comma == ',') {
+        const auto [last, high_error] = std::from_chars(comma + 1, end, range.hi);
+        if (high_error == std::errc{} && last == end && range.lo < range.hi) return range;
+    }
+    throw InputError("--range = \"" + arguments.range + "\" is not two rising numbers, as 0,0.5");
+}
+
 }  // namespace
 
 void apply_settings(Scene& scene, const std::vector<std::string>& settings) {
@@ -31,6 +46,7 @@ void apply_settings(Scene& scene, const std::vector<std::string>& settings) {
 void check_outputs(const RunArguments& arguments) {
     view(arguments.view);
     map_of(arguments);
+    range_of(arguments);
     for (const std::string& file : {arguments.csv, arguments.timing, arguments.picture}) {
         if (!file.empty() && file != "-") check_writable(file);
     }
@@ -42,10 +58,13 @@ void write_picture(const Lane& lane, Pool& pool, const RunArguments& arguments) 
     take_snapshot(lane, pool, snapshot);
     EglContext context;
     PictureRenderer renderer;
+    const std::optional<Range> range = range_of(arguments);
     const PictureStyle style{.view = &view(arguments.view),
                              .map = map_of(arguments),
+                             .range = range ? &*range : nullptr,
                              .crisp = arguments.crisp,
-                             .light = arguments.light};
+                             .light = arguments.light,
+                             .width = arguments.width};
     write_png(arguments.picture, picture_of(snapshot, style, renderer));
     say_written("picture", arguments.picture);
 }
