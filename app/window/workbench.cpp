@@ -2,6 +2,9 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+#include <sys/resource.h>
+
+#include <future>
 
 #include "app/panels/control_column.h"
 #include "app/panels/help_overlay.h"
@@ -34,15 +37,24 @@ void begin_panel(const char* name, const Layout& layout, const Column& column, c
     list.PopClipRect();
 }
 
+/// A player whose threads give way to the window's: on Linux, threads inherit the niceness of their maker,
+/// and only the calling thread's is changed here.
+std::unique_ptr<Player> make_player(const WindowOptions& options) {
+    return std::async(std::launch::async,
+                      [&] {
+                          constexpr int niceness = 5;
+                          setpriority(PRIO_PROCESS, 0, niceness);
+                          return std::make_unique<Player>(options.scene, options.threads);
+                      })
+        .get();
+}
+
 }  // namespace
 
 Workbench::Workbench(const WindowOptions& options, GlfwWindow& window)
-    : window_(window),
-      trace_(options.trace),
-      player_(options.scene, options.threads),
-      remote_(player_, notices_) {
+    : window_(window), trace_(options.trace), player_(make_player(options)), remote_(*player_, notices_) {
     remote_.set_loaded(options.name);
-    player_.play(true);
+    player_->play(true);
 }
 
 void Workbench::frame() {
@@ -54,7 +66,7 @@ void Workbench::frame() {
         frames_.add(clock_.interval_ms(), clock_.work_ms());
     }
     notices_.set_time(clock_.time());
-    player_.begin_frame();
+    player_->begin_frame();
     const std::vector<InputEvent>& events = window_.begin_frame();
     take_run();
     for (const InputEvent& event : events) act_on(event);
@@ -68,7 +80,7 @@ void Workbench::frame() {
 /// Takes the newest state, its measures, and the range of what is shown.
 void Workbench::take_run() {
     remote_.begin_frame();
-    const bool new_run = player_.take_measures(measures_);
+    const bool new_run = player_->take_measures(measures_);
     history_.take(measures_, new_run);
     measures_.clear();
     const Snapshot& s = remote_.snapshot();
