@@ -1,6 +1,7 @@
 // See theme.h.
 #include "app/render/theme.h"
 
+#include <cmath>
 #include <imgui_freetype.h>
 
 #include <filesystem>
@@ -135,7 +136,7 @@ Palette light_palette() {
 
 ImU32 faded(ImU32 colour, float alpha) {
     const auto old = static_cast<float>((colour >> IM_COL32_A_SHIFT) & 0xff);
-    return (colour & ~IM_COL32_A_MASK) | (static_cast<ImU32>(old * alpha + 0.5f) << IM_COL32_A_SHIFT);
+    return (colour & ~IM_COL32_A_MASK) | (static_cast<ImU32>(std::lround(old * alpha)) << IM_COL32_A_SHIFT);
 }
 
 Theme load_theme(float content_scale, const Palette& palette) {
