@@ -157,12 +157,12 @@ void draw_failure(PanelContext& context, const PixelRect& rect) {
         {static_cast<float>(rect.x) + theme.px(12), static_cast<float>(rect.y) + theme.px(12)});
     ImGui::PushStyleColor(ImGuiCol_ChildBg, IM_COL32(74, 26, 22, 240));
     ImGui::PushStyleColor(ImGuiCol_Border, theme.palette.accent);
-    ImGui::BeginChild("failure", {static_cast<float>(rect.width) - theme.px(24), theme.px(92)}, true,
-                      ImGuiWindowFlags_None);
+    ImGui::BeginChild("failure", {static_cast<float>(rect.width) - theme.px(24), theme.px(104)}, true,
+                      ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::PushFont(theme.bold);
     ImGui::TextUnformatted("The run has stopped");
     ImGui::PopFont();
-    ImGui::TextWrapped("%s. The last good state is shown.", failure->c_str());
+    ImGui::TextWrapped("At %s. The last good state is shown.", failure->c_str());
     if (ImGui::Button("Reset")) context.remote.restart();
     context.trace.control("failure-reset");
     ImGui::EndChild();

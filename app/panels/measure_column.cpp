@@ -51,7 +51,7 @@ constexpr Chart charts[] = {
 };
 
 bool wanted(const Chart& chart, const Snapshot& s) {
-    if (chart.when == Chart::When::Exact) return s.has_exact;
+    if (chart.when == Chart::When::Exact) return experiment(s.scene.experiment).exact != nullptr;
     if (chart.when == Chart::When::Solved) return experiment(s.scene.experiment).flow == nullptr;
     return true;
 }
@@ -77,6 +77,17 @@ std::optional<Interval> range_of(const Chart& chart, std::span<const float> y) {
     return {};
 }
 
+/// A plot on a card that costs nothing to fill.
+std::optional<double> draw_card(PanelContext& context, const Plot& plot, std::span<const Series> series) {
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const ImVec2 high{low.x + ImGui::GetContentRegionAvail().x, low.y + plot.size.y};
+    context.slabs.add(*ImGui::GetWindowDrawList(), low, high, context.theme.px(5),
+                      context.theme.palette.card);
+    Theme bare = context.theme;
+    bare.palette.card = 0;
+    return draw_plot(bare, plot, series);
+}
+
 std::optional<double> draw(PanelContext& context, const Chart& chart, float height) {
     std::vector<Series> series;
     for (const Curve& curve : chart.curves) {
@@ -90,8 +101,9 @@ std::optional<double> draw(PanelContext& context, const Chart& chart, float heig
     plot.log_y = chart.logarithmic;
     plot.y_range = range_of(chart, series.front().y);
     plot.marker = context.view.marker;
+    if (chart.when == Chart::When::Exact) plot.empty_text = "no exact solution at these times";
     plot.size = {0, height};
-    return draw_plot(context.theme, plot, series);
+    return draw_card(context, plot, series);
 }
 
 void draw_frame_time(PanelContext& context, float height) {
@@ -109,7 +121,7 @@ void draw_frame_time(PanelContext& context, float height) {
     plot.size = {0, height};
     const auto& colours = context.theme.palette.series;
     const Series series[] = {{"frame", colours[0], frames.intervals()}, {"busy", colours[1], frames.work()}};
-    draw_plot(context.theme, plot, series);
+    draw_card(context, plot, series);
     context.trace.control("plot=frame-time");
 }
 
@@ -148,7 +160,7 @@ void draw_measure_column(PanelContext& context) {
                        });
     const float gap = ImGui::GetStyle().ItemSpacing.y;
     const float room = ImGui::GetContentRegionAvail().y / static_cast<float>(count) - gap;
-    const float height = std::floor(std::clamp(room, theme.px(118), theme.px(240)));
+    const float height = std::floor(std::clamp(room, theme.px(118), theme.px(320)));
     std::optional<double> hovered;
     for (const Chart& chart : charts) {
         if (!wanted(chart, context.snapshot())) continue;

@@ -7,6 +7,7 @@
 #include "app/panels/history.h"
 #include "app/panels/hover_help.h"
 #include "app/panels/remote.h"
+#include "app/panels/slabs.h"
 #include "app/panels/view_state.h"
 #include "app/render/theme.h"
 #include "app/window/trace.h"
@@ -23,6 +24,7 @@ struct PanelContext {
     const Field* field;  ///< what the chosen view shows of the snapshot
     HoverHelp& help;
     Trace& trace;
+    Slabs& slabs;
 
     const Snapshot& snapshot() const { return remote.snapshot(); }
     const Scene& scene() const { return remote.scene(); }

@@ -96,7 +96,9 @@ void control(PanelContext& context, const Parameter& p) {
     ImGui::BeginDisabled(!idle.empty());
     if (p.kind == Kind::Truth) {
         const bool value = p.get(context.scene()) != 0;
-        if (check((p.label + id).c_str(), value)) context.remote.set(p, value ? 0 : 1);
+        const ImGuiStyle& style = ImGui::GetStyle();
+        const float room = ImGui::CalcItemWidth() - ImGui::GetFrameHeight() - style.ItemInnerSpacing.x;
+        if (check((fitted(p.label, room) + id).c_str(), value)) context.remote.set(p, value ? 0 : 1);
     } else if (p.kind == Kind::Choice) {
         choice(context, p, id.c_str());
     } else {
@@ -131,6 +133,7 @@ void pair_row(PanelContext& context, const Parameter& velocity, const Parameter&
 
 void parameter_row(PanelContext& context, const Parameter& p) {
     if (p.kind != Kind::Truth) row_label(context.theme, p.label);
+    ImGui::SetNextItemWidth(-FLT_MIN);
     control(context, p);
 }
 

@@ -1,5 +1,7 @@
 #include "app/panels/remote.h"
 
+#include <algorithm>
+
 #include "core/scene/error.h"
 
 namespace whorl::app {
@@ -27,11 +29,14 @@ void Remote::begin_frame() {
 }
 
 void Remote::settle() {
+    // Edits act in order: with the last that shows, all before it have acted.
+    const auto acted = std::find_if(edits_.rbegin(), edits_.rend(), [&](const Edit& edit) {
+        return edit.parameter->get(snapshot_->scene) == edit.value;
+    });
+    edits_.erase(edits_.begin(), acted.base());
     std::erase_if(edits_, [&](const Edit& edit) {
-        const bool acted = edit.parameter->get(snapshot_->scene) == edit.value;
-        const bool lost = snapshot_->serial >= edit.serial + settled_snapshots &&
-                          notices_.time() > edit.time + settled_seconds;
-        return acted || lost;
+        return snapshot_->serial >= edit.serial + settled_snapshots &&
+               notices_.time() > edit.time + settled_seconds;
     });
     scene_ = snapshot_->scene;
     for (const Edit& edit : edits_) edit.parameter->set(scene_, edit.value);

@@ -1,6 +1,9 @@
 // Transport, scene and pace.
 #include <imgui.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "app/panels/panel.h"
 #include "app/panels/widgets.h"
 #include "app/scenes/presets.h"
@@ -45,6 +48,10 @@ void scene_item(PanelContext& context, std::string_view key, const Scene& scene,
     context.help.item(context.theme, name, {scene.title, help, hint, source, ""});
 }
 
+bool is_preset(std::string_view key) {
+    return std::any_of(presets().begin(), presets().end(), [&](const Preset& p) { return p.key == key; });
+}
+
 void scenes(PanelContext& context) {
     row_label(context.theme, "Scene");
     const float room = ImGui::CalcItemWidth() - 1.4f * ImGui::GetFrameHeight();
@@ -63,7 +70,14 @@ void scenes(PanelContext& context) {
         ImGui::PopFont();
         for (const Experiment& e : experiments()) {
             if (!e.listed) continue;
-            scene_item(context, e.info.key, scene_of(e), e.info.help, e.info.source, "");
+            Scene scene = scene_of(e);
+            const std::string hint = std::to_string(scene.resolution) + " cells along the width";
+            std::string key(e.info.key);
+            if (is_preset(key)) {  // of that name, but finer
+                key += "-experiment";
+                scene.title += ", " + std::to_string(scene.resolution) + " cells wide";
+            }
+            scene_item(context, key, scene, e.info.help, e.info.source, hint);
         }
         ImGui::EndCombo();
     }

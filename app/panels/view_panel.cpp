@@ -6,6 +6,7 @@
 
 #include "app/panels/panel.h"
 #include "app/panels/widgets.h"
+#include "core/experiments/experiment.h"
 
 namespace whorl::app {
 
@@ -20,15 +21,20 @@ void view_chips(PanelContext& context) {
     int k = 0;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(gap, gap));
     for (const View& view : views()) {
-        if (!available(view, context.snapshot())) continue;
+        const bool known = available(view, context.snapshot());
+        if (!known && experiment(context.scene().experiment).exact == nullptr) continue;
         if (k++ % columns != 0) ImGui::SameLine();
+        ImGui::BeginDisabled(!known);
         const std::string label = fitted(view.label, width) + "##" + std::string(view.key);
         if (chip(context.theme, label.c_str(), context.view.shown == &view, width)) {
             context.view.shown = &view;
         }
+        ImGui::EndDisabled();
         const std::string key = "view=" + std::string(view.key);
         context.trace.control(key);
-        context.help.item(context.theme, key, {view.label, view.help, view.unit, "", ""});
+        context.help.item(context.theme, key,
+                          {view.label, view.help, view.unit, "",
+                           known ? "" : "The exact solution is not known at this time."});
     }
     ImGui::PopStyleVar();
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 
 namespace whorl::app {
 namespace {
@@ -107,15 +108,30 @@ void write_value(const Theme& theme, const std::string& number, std::string_view
                                         shown.c_str());
 }
 
+/// Three significant digits: what a hand can set on a scale of ratios.
+double rounded(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g", value);
+    return std::strtod(text, nullptr);
+}
+
+/// Where a value is between a slider's ends, from 0 to 1.
+double place_of(double value, SliderRange range) {
+    return range.logarithmic ? std::log(value / range.min) / std::log(range.max / range.min)
+                             : (value - range.min) / (range.max - range.min);
+}
+
 /// ImGui's slider without its text, which it puts under the grab; typing into it shows text all the same.
 template <class T>
-bool bare_slider(const char* id, ImGuiDataType type, T& value, T min, T max, bool logarithmic,
-                 const char* format, bool& typing) {
+bool bare_slider(const char* id, ImGuiDataType type, T& value, SliderRange range, const char* format,
+                 bool& typing) {
+    const T min = static_cast<T>(range.min);
+    const T max = static_cast<T>(range.max);
     typing = ImGui::TempInputIsActive(ImGui::GetID(id));
     if (!typing) ImGui::PushStyleColor(ImGuiCol_Text, 0);
     const bool changed =
         ImGui::SliderScalar(id, type, &value, &min, &max, format,
-                            logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
+                            range.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
     if (!typing) ImGui::PopStyleColor();
     return changed;
 }
@@ -125,23 +141,20 @@ bool bare_slider(const char* id, ImGuiDataType type, T& value, T min, T max, boo
 bool slider(const Theme& theme, const char* id, double& value, SliderRange range, std::string_view unit,
             const char* format) {
     bool typing = false;
+    // ImGui takes what lies below the format's last digit for 0: on a scale of ratios that must be far down.
     const bool changed =
-        bare_slider(id, ImGuiDataType_Double, value, range.min, range.max, range.logarithmic, format, typing);
-    const double place = range.logarithmic ? std::log(value / range.min) / std::log(range.max / range.min)
-                                           : (value - range.min) / (range.max - range.min);
+        bare_slider(id, ImGuiDataType_Double, value, range, range.logarithmic ? "%.9g" : format, typing);
+    if (changed && !typing && range.logarithmic) value = rounded(value);
     char number[32];
     std::snprintf(number, sizeof number, format, value);
-    if (!typing) write_value(theme, number, unit, place);
+    if (!typing) write_value(theme, number, unit, place_of(value, range));
     return changed;
 }
 
 bool slider(const Theme& theme, const char* id, int& value, SliderRange range, std::string_view unit) {
     bool typing = false;
-    const bool changed = bare_slider(id, ImGuiDataType_S32, value, static_cast<int>(range.min),
-                                     static_cast<int>(range.max), range.logarithmic, "%d", typing);
-    const double place = range.logarithmic ? std::log(value / range.min) / std::log(range.max / range.min)
-                                           : (value - range.min) / (range.max - range.min);
-    if (!typing) write_value(theme, std::to_string(value), unit, place);
+    const bool changed = bare_slider(id, ImGuiDataType_S32, value, range, "%d", typing);
+    if (!typing) write_value(theme, std::to_string(value), unit, place_of(value, range));
     return changed;
 }
 

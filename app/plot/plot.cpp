@@ -113,15 +113,19 @@ void draw_curve(ImDrawList& list, const Theme& theme, const Frame& frame, const 
             list.AddRectFilled({left, std::min(a.y, b.y)}, {left + thickness, std::max(a.y, b.y)}, colour);
         }
         if (points.size() == 1) list.AddCircleFilled(points.front(), thickness, colour, 8);
-        if (points.size() > 1) {
+        // Joints of a polyline thin out where it turns sharply, which shows where samples lie far apart.
+        const bool sparse = points.size() > 1 && points.back().x - points.front().x >
+                                                     4.0f * thickness * static_cast<float>(points.size());
+        if (sparse) {
+            for (std::size_t k = 1; k < points.size(); ++k) {
+                list.AddLine(points[k - 1], points[k], colour, thickness);
+            }
+        } else if (points.size() > 1) {
             list.AddPolyline(points.data(), static_cast<int>(points.size()), colour, ImDrawFlags_None,
                              thickness);
         }
-        const float radius = theme.px(2.5f);
-        const bool apart = points.size() > 1 && (points.back().x - points.front().x) >
-                                                    2.5f * radius * static_cast<float>(points.size());
-        for (std::size_t k = 0; dots && apart && k < points.size(); ++k) {
-            list.AddCircleFilled(points[k], radius, colour, 10);
+        for (std::size_t k = 0; dots && sparse && k < points.size(); ++k) {
+            list.AddCircleFilled(points[k], theme.px(2.5f), colour, 10);
         }
         points.clear();
     };

@@ -53,7 +53,7 @@ void BrushTool::end_frame(Remote& remote) {
 void BrushTool::send_smoke(Remote& remote) {
     const Snapshot& s = remote.snapshot();
     const Brush& brush = remote.scene().brush;
-    const double elapsed = std::max(s.measures.time - last_time_, s.scene.dt);
+    const double elapsed = fresh_ ? s.scene.dt : std::max(s.measures.time - last_time_, s.scene.dt);
     last_time_ = s.measures.time;
     SmokeStroke stroke{.along = {},
                        .radius = brush.radius,

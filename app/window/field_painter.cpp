@@ -5,11 +5,31 @@
 
 namespace whorl::app {
 
+namespace {
+
+void clear_to(ImU32 colour) {
+    const ImVec4 c = ImGui::ColorConvertU32ToFloat4(colour);
+    glClearColor(c.x, c.y, c.z, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+}
+
+}  // namespace
+
+void FieldPainter::clear(const Theme& theme, const Slabs& slabs, int framebuffer_height) {
+    clear_to(theme.palette.background);
+    glEnable(GL_SCISSOR_TEST);
+    for (const Slabs::Slab& slab : slabs.all()) {
+        const int x = static_cast<int>(slab.low.x);
+        const int bottom = static_cast<int>(slab.high.y);
+        glScissor(x, framebuffer_height - bottom, static_cast<int>(slab.high.x) - x,
+                  bottom - static_cast<int>(slab.low.y));
+        clear_to(slab.colour);
+    }
+    glDisable(GL_SCISSOR_TEST);
+}
+
 void FieldPainter::draw(const Snapshot& snapshot, const Field& field, const ViewState& view,
                         const FieldPlacement& place, const Theme& theme, int framebuffer_height) {
-    const ImVec4 background = ImGui::ColorConvertU32ToFloat4(theme.palette.background);
-    glClearColor(background.x, background.y, background.z, 1);
-    glClear(GL_COLOR_BUFFER_BIT);
     if (!place.drawn()) return;
     if (serial_ != snapshot.serial || view_ != view.shown) {
         texture_.upload(field);

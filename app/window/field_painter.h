@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/panels/field_area.h"
+#include "app/panels/slabs.h"
 #include "app/render/arrows.h"
 #include "app/render/field_view.h"
 #include "app/render/solids.h"
@@ -11,7 +12,9 @@ namespace whorl::app {
 /// Needs a current OpenGL context from construction to destruction.
 class FieldPainter {
   public:
-    /// Clears the framebuffer and draws the field where it belongs.
+    /// Clears the framebuffer to the background and the slabs.
+    static void clear(const Theme& theme, const Slabs& slabs, int framebuffer_height);
+    /// Draws the field where it belongs.
     /// @param field  what the chosen view shows of the snapshot
     void draw(const Snapshot& snapshot, const Field& field, const ViewState& view,
               const FieldPlacement& place, const Theme& theme, int framebuffer_height);

@@ -2,6 +2,9 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+#include <sys/resource.h>
+
+#include <future>
 
 #include "app/panels/control_column.h"
 #include "app/panels/help_overlay.h"
@@ -22,15 +25,36 @@ void begin_column(const char* name, const Layout& layout, const Column& column, 
     ImGui::Begin(name, nullptr, fixed | flags);
 }
 
+void begin_panel(const char* name, const Layout& layout, const Column& column, const Theme& theme,
+                 Slabs& slabs) {
+    begin_column(name, layout, column, ImGuiWindowFlags_NoBackground);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 low{column.x, layout.top};
+    const ImVec2 high{column.x + column.width, layout.top + layout.height};
+    list.PushClipRectFullScreen();
+    slabs.add(list, low, high, ImGui::GetStyle().WindowRounding, theme.palette.panel);
+    list.AddRect(low, high, theme.palette.border, ImGui::GetStyle().WindowRounding);
+    list.PopClipRect();
+}
+
+/// A player whose threads give way to the window's: on Linux, threads inherit the niceness of their maker,
+/// and only the calling thread's is changed here.
+std::unique_ptr<Player> make_player(const WindowOptions& options) {
+    return std::async(std::launch::async,
+                      [&] {
+                          constexpr int niceness = 5;
+                          setpriority(PRIO_PROCESS, 0, niceness);
+                          return std::make_unique<Player>(options.scene, options.threads);
+                      })
+        .get();
+}
+
 }  // namespace
 
 Workbench::Workbench(const WindowOptions& options, GlfwWindow& window)
-    : window_(window),
-      trace_(options.trace),
-      player_(options.scene, options.threads),
-      remote_(player_, notices_) {
+    : window_(window), trace_(options.trace), player_(make_player(options)), remote_(*player_, notices_) {
     remote_.set_loaded(options.name);
-    player_.play(true);
+    player_->play(true);
 }
 
 void Workbench::frame() {
@@ -42,7 +66,7 @@ void Workbench::frame() {
         frames_.add(clock_.interval_ms(), clock_.work_ms());
     }
     notices_.set_time(clock_.time());
-    player_.begin_frame();
+    player_->begin_frame();
     const std::vector<InputEvent>& events = window_.begin_frame();
     take_run();
     for (const InputEvent& event : events) act_on(event);
@@ -56,7 +80,7 @@ void Workbench::frame() {
 /// Takes the newest state, its measures, and the range of what is shown.
 void Workbench::take_run() {
     remote_.begin_frame();
-    const bool new_run = player_.take_measures(measures_);
+    const bool new_run = player_->take_measures(measures_);
     history_.take(measures_, new_run);
     measures_.clear();
     const Snapshot& s = remote_.snapshot();
@@ -127,11 +151,12 @@ void Workbench::type(const InputEvent& event) {
 void Workbench::draw() {
     const Snapshot& s = remote_.snapshot();
     const Theme& theme = window_.theme();
-    PanelContext context{theme, remote_, view_, history_, frames_, field_, help_, trace_};
+    PanelContext context{theme, remote_, view_, history_, frames_, field_, help_, trace_, slabs_};
+    slabs_.clear();
     const Layout layout = lay_out(theme, s.grid, static_cast<float>(window_.framebuffer_width()),
                                   static_cast<float>(window_.framebuffer_height()));
 
-    begin_column("controls", layout, layout.controls, ImGuiWindowFlags_None);
+    begin_panel("controls", layout, layout.controls, theme, slabs_);
     draw_control_column(context);
     ImGui::End();
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
@@ -140,13 +165,14 @@ void Workbench::draw() {
     ImGui::PopStyleVar();
     place_ = draw_field_area(context);
     ImGui::End();
-    begin_column("measures", layout, layout.measures, ImGuiWindowFlags_None);
+    begin_panel("measures", layout, layout.measures, theme, slabs_);
     draw_measure_column(context);
     ImGui::End();
     draw_help_overlay(context);
     help_.end_frame();
     ImGui::Render();
     // A view chosen this frame has its field from the next one on.
+    painter_.clear(theme, slabs_, window_.framebuffer_height());
     painter_.draw(s, *field_, view_, place_, theme, window_.framebuffer_height());
 }
 

@@ -1,6 +1,8 @@
 // Everything in the window, frame by frame.
 #pragma once
 
+#include <memory>
+
 #include "app/panels/field_area.h"
 #include "app/panels/hover_help.h"
 #include "app/panels/panel.h"
@@ -40,6 +42,7 @@ class Workbench {
     HoverHelp help_;
     BrushTool brush_;
     FieldPlacement place_;
+    Slabs slabs_;
     FieldPainter painter_;
     PictureTaker pictures_;
     Field scratch_;                 ///< for views that are worked out
@@ -48,7 +51,7 @@ class Workbench {
     const View* ranged_ = nullptr;
     Range span_{0, 1};  ///< of the field on screen
     std::vector<Measures> measures_;
-    Player player_;
+    std::unique_ptr<Player> player_;
     Remote remote_;
 };
 
