@@ -1,7 +1,7 @@
 // The midpoint rule along the flow.
 #pragma once
 
-#include "core/grid/real.h"
+#include "core/tracing/point.h"
 #include "core/schemes/scheme.h"
 
 namespace whorl {
@@ -14,8 +14,8 @@ struct Midpoint {
     /// @param u  velocity at a place, cells/time
     /// @param x  the point to trace back, cells
     /// @param dt step, time; negative traces forward
-    template <class Velocity>
-    static Vec2 trace(const Velocity& u, Vec2 x, Real dt) {
+    template <class T, class Velocity>
+    static WHORL_INLINE Point<T> trace(const Velocity& u, Point<T> x, Real dt) {
         return x - dt * u(x - dt / 2 * u(x));
     }
 };

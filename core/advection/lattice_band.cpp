@@ -1,0 +1,170 @@
+// The base step of the affine family over a shared lattice.
+#include <algorithm>
+
+#include "core/advection/stencil.h"
+#include "core/advection/step.h"
+
+namespace whorl {
+namespace {
+
+/// b > 0
+int floor_div(int a, int b) {
+    return (a >= 0 ? a : a - b + 1) / b;
+}
+
+/// One band of rows in one tile's width: cells first_cell … end_cell − 1.
+class Band {
+  public:
+    Band(const Step& step, Groups groups, Real direction, LatticeTile& tile, int first_cell, int end_cell)
+        : step_(step),
+          lattice_(*step.lattice),
+          groups_(groups),
+          dt_(direction * step.dt),
+          direction_(direction),
+          tile_(tile),
+          first_cell_(first_cell),
+          end_cell_(end_cell) {
+        find_reaches();
+    }
+
+    void run(int first, int last, Finish finish) {
+        const int m = lattice_.per_cell();
+        int next = m * first;  // the lattice row to trace
+        for (const Group& group : groups_) next = std::min(next, m * first + lattice_.lowest(site(group)));
+        for (int j = first; j < last; ++j) {
+            for (int g = 0; g < static_cast<int>(groups_.size()); ++g) {
+                if (j >= groups_[g].shape().height()) continue;
+                for (; next <= m * j + lattice_.highest(site(groups_[g])); ++next) trace_row(next);
+            }
+            for (int g = 0; g < static_cast<int>(groups_.size()); ++g) {
+                if (j < groups_[g].shape().height()) update_row(g, j, finish);
+            }
+        }
+    }
+
+  private:
+    /// The cells around a node whose points of one kind are wanted: none, if low > high.
+    struct Reach {
+        int low = 1, high = 0;
+    };
+
+    static Site site(const Group& group) { return group.shape().site(); }
+
+    void find_reaches() {
+        const int m = lattice_.per_cell();
+        const auto add = [&](const Lattice::Point& p) {
+            const int cell = floor_div(p.x, m);
+            Reach& reach = reaches_[p.y - m * floor_div(p.y, m)][p.x - m * cell];
+            if (reach.low > reach.high) {
+                reach = {cell, cell};
+            } else {
+                reach = {std::min(reach.low, cell), std::max(reach.high, cell)};
+            }
+        };
+        for (const Group& group : groups_) {
+            for (const Lattice::Point& p : lattice_.particles(site(group))) add(p);
+            if (lattice_.node(site(group))) add(*lattice_.node(site(group)));
+        }
+    }
+
+    /// What the points of kind (x, y) carry in cell i's column.
+    Real* at(int y, int x, int i) { return tile_.row(y, x) + (i - first_cell_ + 1); }
+
+    /// Traces a row of points, and samples all fields there.
+    void trace_row(int y) {
+        const int m = lattice_.per_cell();
+        const int j = floor_div(y, m);
+        for (int x = 0; x < m; ++x) {
+            const Reach reach = reaches_[y - m * j][x];
+            if (reach.low > reach.high) continue;
+            const int end = end_cell_ + reach.high;
+            for (int i = first_cell_ + reach.low; i < end; i += Run::size) {
+                trace_run({i, j, std::min(Run::size, end - i)}, y, x);
+            }
+        }
+    }
+
+    void trace_run(Run run, int y, int x) {
+        constexpr auto stride = LatticeTile::stride;
+        Real* to = at(y, x, run.i);
+        step_.kernels.trace({step_.velocity, Site::Centre}, run,
+                            lattice_.start(x, y - lattice_.per_cell() * run.j), dt_, to, to + stride);
+        Real* carried = to + LatticeTile::displacement_rows * stride;
+        for (const Group& group : groups_) {
+            Places places;
+            step_.kernels.locate(group.shape(), Site::Centre, run, to, to + stride, places);
+            for (int f = 0; f < group.count; ++f) {
+                step_.kernels.carry(*group.from[f], places, run.count, {carried, stride});
+                carried += Carried::rows * stride;
+            }
+        }
+    }
+
+    void update_row(int g, int j, Finish finish) {
+        const int end = std::min(end_cell_, groups_[g].shape().width());
+        for (int i = first_cell_; i < end; i += Run::size) {
+            update_run(g, {i, j, std::min(Run::size, end - i)}, finish);
+        }
+    }
+
+    void update_run(int g, Run run, Finish finish) {
+        constexpr auto stride = LatticeTile::stride;
+        const Group& group = groups_[g];
+        const int m = lattice_.per_cell();
+        int row = LatticeTile::displacement_rows;
+        for (int k = 0; k < g; ++k) row += groups_[k].count * Carried::rows;
+        Places places;
+        GroupValues q, first_order;
+        Real* node = nullptr;
+        if (const auto& own = lattice_.node(site(group))) {
+            node = at(m * run.j + own->y, own->x, run.i);
+            step_.kernels.locate(group.shape(), Site::Centre, run, node, node + stride, places);
+        } else {
+            step_.departure(run, group.shape(), direction_, places);
+        }
+        const auto particles = lattice_.particles(site(group));
+        std::array<Share, Stencil::max_particles> buffer;
+        const std::span<Share> shares = std::span(buffer).first(particles.size());
+        for (std::size_t k = 0; k < particles.size(); ++k) {
+            const Lattice::Point& p = particles[k];
+            const int cell = floor_div(p.x, m);
+            shares[k] = {at(m * run.j + p.y, p.x - m * cell, run.i + cell) + row * stride, p.particle};
+        }
+        for (int f = 0; f < group.count; ++f) {
+            if (node) {
+                std::copy_n(node + (row + f * Carried::rows) * stride, run.count, first_order[f]);
+            } else {
+                step_.kernels.sample_linear(*group.from[f], places, run.count, first_order[f]);
+            }
+            Values sum{};
+            step_.kernels.gather(shares, stride, run.count, first_order[f], sum);
+            for (int k = 0; k < run.count; ++k) q[f][k] = first_order[f][k] + sum[k];
+            for (Share& share : shares) share.values += Carried::rows * stride;
+        }
+        finish({g, run, places, q, first_order});
+    }
+
+    const Step& step_;
+    const Lattice& lattice_;
+    Groups groups_;
+    Real dt_;
+    Real direction_;
+    LatticeTile& tile_;
+    int first_cell_, end_cell_;
+    Reach reaches_[Lattice::max_per_cell][Lattice::max_per_cell];
+};
+
+}  // namespace
+
+void lattice_band(const Step& step, Groups groups, Real direction, int first, int last, LatticeTile& tile,
+                  Finish finish) {
+    int width = 0;
+    for (const Group& group : groups) width = std::max(width, group.shape().width());
+    const int tiles = (width + LatticeTile::max_cells - 1) / LatticeTile::max_cells;
+    const int cells = (width + tiles - 1) / tiles;
+    for (int i = 0; i < width; i += cells) {
+        Band(step, groups, direction, tile, i, std::min(i + cells, width)).run(first, last, finish);
+    }
+}
+
+}  // namespace whorl
