@@ -5,25 +5,44 @@
 
 namespace whorl {
 
-template <Expansion expansion>
+template <Expansion expansion, bool periodic>
 struct CarryLoop {
     template <int bytes>
-    static WHORL_INLINE void run(const Field& field, const Places& at, int count, const Carried& out) {
+    static WHORL_INLINE void run(std::span<const Field* const> fields, Site site, Run nodes, const Real* dx,
+                                 const Real* dy, const Carried& out) {
         using T = RealLanes<bytes>;
-        const Real* origin = field.row(0);
-        const Index stride = field.stride();
-        for (int k = 0; k < count; k += lane_count<T>) {
-            const Cell<T> q(Reader<T>(origin, load<IndexLanes<bytes>>(at.at + k)), stride);
-            const T x = load<T>(at.x + k), y = load<T>(at.y + k);
-            Real* to = out.values + k;
-            store(q.bilinear(x, y), to);
+        const Locator<T, periodic> locator(*fields[0], site);
+        const Index stride = fields[0]->stride();
+        for (int k = 0; k < nodes.count; k += lane_count<T>) {
+            IndexLanes<bytes> i, j;
+            Point<T> at;
+            locator.place(Nodes<T>(nodes.i + k, nodes.j), {load<T>(dx + k), load<T>(dy + k)}, i, j, at);
+            const IndexLanes<bytes> samples = j * stride + i;
+            const Carried to{out.values + k, out.stride};
+            if (in_a_row(samples)) {
+                take(fields, InARow<T>(samples), at, to);
+            } else {
+                take(fields, Apart<T>(samples), at, to);
+            }
+        }
+    }
+
+  private:
+    template <class Samples, class T>
+    static WHORL_INLINE void take(std::span<const Field* const> fields, const Samples& samples, Point<T> at,
+                                  const Carried& out) {
+        Real* to = out.values;
+        for (const Field* field : fields) {
+            const Cell<T> q(field->row(0), field->stride(), samples);
+            store(q.bilinear(at.x, at.y), to);
             if constexpr (expansion != Expansion::Value) {
-                store(Linear::at(q.q10 - q.q00, q.q11 - q.q01, y), to + out.stride);
-                store(Linear::at(q.q01 - q.q00, q.q11 - q.q10, x), to + 2 * out.stride);
+                store(Linear::at(q.q10 - q.q00, q.q11 - q.q01, at.y), to + out.stride);
+                store(Linear::at(q.q01 - q.q00, q.q11 - q.q10, at.x), to + 2 * out.stride);
             }
             if constexpr (expansion == Expansion::CrossTerm) {
                 store(q.q00 - q.q10 - q.q01 + q.q11, to + 3 * out.stride);
             }
+            to += Carried::rows * out.stride;
         }
     }
 };

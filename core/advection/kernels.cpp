@@ -25,8 +25,9 @@ SampleFn choose_sample(const SchemeSet& s, bool periodic, Isa isa) {
 }
 
 template <Expansion expansion>
-void choose_affine(Kernels& kernels, Isa isa) {
-    kernels.carry = PerIsa<CarryFn, CarryLoop<expansion>>::pick(isa);
+void choose_affine(Kernels& kernels, bool periodic, Isa isa) {
+    kernels.carry = with_bool(
+        periodic, [&]<class P>(P) { return PerIsa<CarryFn, CarryLoop<expansion, P::value>>::pick(isa); });
     kernels.gather = PerIsa<GatherFn, GatherLoop<expansion>>::pick(isa);
 }
 
@@ -44,13 +45,13 @@ Kernels choose_kernels(const SchemeSet& s, bool periodic, Isa isa) {
     kernels.sample = choose_sample(s, periodic, isa);
     switch (s.expansion()) {
         case Expansion::Value:
-            choose_affine<Expansion::Value>(kernels, isa);
+            choose_affine<Expansion::Value>(kernels, periodic, isa);
             break;
         case Expansion::Gradient:
-            choose_affine<Expansion::Gradient>(kernels, isa);
+            choose_affine<Expansion::Gradient>(kernels, periodic, isa);
             break;
         case Expansion::CrossTerm:
-            choose_affine<Expansion::CrossTerm>(kernels, isa);
+            choose_affine<Expansion::CrossTerm>(kernels, periodic, isa);
             break;
         case Expansion::None:
             break;

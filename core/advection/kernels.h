@@ -73,8 +73,11 @@ using TraceFn = void (*)(const Flow&, Run, Vec2 start, Real dt, Real* to_x, Real
 using LocateFn = void (*)(const Field&, Site nodes, Run, const Real* dx, const Real* dy, Places& out);
 /// Interpolates a field at places.
 using SampleFn = void (*)(const Field&, const Places&, int count, Values& out);
-/// Takes what particles at places carry away: bilinear value, gradient, cross term.  [T 4.1–4.3]
-using CarryFn = void (*)(const Field&, const Places&, int count, const Carried& out);
+/// Finds the cells that hold displaced particles, as `LocateFn`, and takes what they carry away from there:
+/// bilinear value, gradient, cross term.  [T 4.1–4.3]
+/// @param fields of one site; `Carried::rows` rows of `out` each
+using CarryFn = void (*)(std::span<const Field* const> fields, Site nodes, Run, const Real* dx,
+                         const Real* dy, const Carried& out);
 /// Adds w_s (q_s + c_s · (x_i − x_s) − q_b) of each share to each node's sum, where q_b is the bilinear value
 /// at x_i^b: sums of differences keep a constant field constant to the last bit.  [T 4.1–4.3]
 /// @param stride of the rows that are carried

@@ -66,8 +66,8 @@ void LatticeTile::shape(const Lattice& lattice, int fields) {
     slots_ = highest - lowest + 1;
     per_cell_ = lattice.per_cell();
     rows_ = displacement_rows + fields * Carried::rows;
-    const std::size_t size = static_cast<std::size_t>(slots_) * per_cell_ * rows_ * stride;
-    if (values_.size() < size) values_.resize(size);
+    const std::size_t size = static_cast<std::size_t>(slots_) * per_cell_ * rows_ * stride / Line::size;
+    if (lines_.size() < size) lines_.resize(size);
 }
 
 }  // namespace whorl

@@ -63,7 +63,12 @@ class Lattice {
 class LatticeTile {
   public:
     /// Cells across; its rows stay in a core's own cache.
-    static constexpr int max_cells = 256;
+    static constexpr int max_cells = 128;
+    /// A cache line, or a vector register.
+    struct alignas(64) Line {
+        static constexpr int size = 64 / sizeof(Real);
+        Real values[size];
+    };
 
     /// Rows of values before those of the fields: the point's own displacement.
     static constexpr int displacement_rows = 2;
@@ -71,17 +76,18 @@ class LatticeTile {
     /// Makes room for what a number of fields need; allocates only when it has to grow.
     void shape(const Lattice& lattice, int fields);
 
-    /// Point x (0 … per_cell − 1) of cells from `tile_start` − 1 on, in lattice row y.
+    /// What point x (0 … per_cell − 1) of each cell in lattice row y carries: rows of values.
     Real* row(int y, int x) {
         const int slot = ((y % slots_) + slots_) % slots_;
-        return values_.data() + (static_cast<std::size_t>(slot) * per_cell_ + x) * rows_ * stride;
+        return lines_.front().values + (static_cast<std::size_t>(slot) * per_cell_ + x) * rows_ * stride;
     }
-    /// From one row of values to the next: a cell on either side, and a run that ends beyond.
-    static constexpr std::ptrdiff_t stride = max_cells + 2 + Run::size + 14;
+    /// From one row of values to the next: as many as lines hold, with a cell on either side and the rest of
+    /// a vector; odd in lines, so that rows do not crowd into one set of the cache.
+    static constexpr std::ptrdiff_t stride = max_cells + 3 * Line::size;
 
   private:
     int slots_ = 1, per_cell_ = 1, rows_ = 0;
-    std::vector<Real> values_;
+    std::vector<Line> lines_;
 };
 
 /// Rows [first, last) of a base step whose particles form a lattice: points are traced and sampled once, row

@@ -43,60 +43,64 @@ class Band {
     }
 
   private:
-    /// The cells around a node whose points of one kind are wanted: none, if low > high.
+    /// For which groups points of one kind are wanted, and the cells around a node where they lie.
     struct Reach {
-        int low = 1, high = 0;
+        unsigned groups = 0;
+        int low = 0, high = 0;
     };
 
     static Site site(const Group& group) { return group.shape().site(); }
 
     void find_reaches() {
         const int m = lattice_.per_cell();
-        const auto add = [&](const Lattice::Point& p) {
+        const auto add = [&](int g, const Lattice::Point& p) {
             const int cell = floor_div(p.x, m);
             Reach& reach = reaches_[p.y - m * floor_div(p.y, m)][p.x - m * cell];
-            if (reach.low > reach.high) {
-                reach = {cell, cell};
-            } else {
-                reach = {std::min(reach.low, cell), std::max(reach.high, cell)};
-            }
+            reach.low = reach.groups == 0 ? cell : std::min(reach.low, cell);
+            reach.high = reach.groups == 0 ? cell : std::max(reach.high, cell);
+            reach.groups |= 1U << g;
         };
-        for (const Group& group : groups_) {
-            for (const Lattice::Point& p : lattice_.particles(site(group))) add(p);
-            if (lattice_.node(site(group))) add(*lattice_.node(site(group)));
+        for (int g = 0; g < static_cast<int>(groups_.size()); ++g) {
+            for (const Lattice::Point& p : lattice_.particles(site(groups_[g]))) add(g, p);
+            if (const auto& node = lattice_.node(site(groups_[g]))) add(g, *node);
         }
     }
 
-    /// What the points of kind (x, y) carry in cell i's column.
-    Real* at(int y, int x, int i) { return tile_.row(y, x) + (i - first_cell_ + 1); }
+    const Reach& reach(int y, int x) const {
+        const int m = lattice_.per_cell();
+        return reaches_[y - m * floor_div(y, m)][x];
+    }
+
+    /// What the points of kind (x, y) carry in cell i's column. Rows start with the first cell in reach, so
+    /// that whole vectors are written to whole cache lines.
+    Real* at(int y, int x, int i) { return tile_.row(y, x) + (i - first_cell_ - reach(y, x).low); }
 
     /// Traces a row of points, and samples all fields there.
     void trace_row(int y) {
         const int m = lattice_.per_cell();
         const int j = floor_div(y, m);
         for (int x = 0; x < m; ++x) {
-            const Reach reach = reaches_[y - m * j][x];
-            if (reach.low > reach.high) continue;
-            const int end = end_cell_ + reach.high;
-            for (int i = first_cell_ + reach.low; i < end; i += Run::size) {
-                trace_run({i, j, std::min(Run::size, end - i)}, y, x);
+            const Reach& wanted = reach(y, x);
+            if (wanted.groups == 0) continue;
+            const int end = end_cell_ + wanted.high;
+            for (int i = first_cell_ + wanted.low; i < end; i += Run::size) {
+                trace_run({i, j, std::min(Run::size, end - i)}, y, x, wanted.groups);
             }
         }
     }
 
-    void trace_run(Run run, int y, int x) {
+    void trace_run(Run run, int y, int x, unsigned wanted) {
         constexpr auto stride = LatticeTile::stride;
         Real* to = at(y, x, run.i);
         step_.kernels.trace({step_.velocity, Site::Centre}, run,
                             lattice_.start(x, y - lattice_.per_cell() * run.j), dt_, to, to + stride);
         Real* carried = to + LatticeTile::displacement_rows * stride;
-        for (const Group& group : groups_) {
-            Places places;
-            step_.kernels.locate(group.shape(), Site::Centre, run, to, to + stride, places);
-            for (int f = 0; f < group.count; ++f) {
-                step_.kernels.carry(*group.from[f], places, run.count, {carried, stride});
-                carried += Carried::rows * stride;
+        for (std::size_t g = 0; g < groups_.size(); ++g) {
+            const Group& group = groups_[g];
+            if ((wanted >> g & 1U) != 0) {
+                step_.kernels.carry(group.sources(), Site::Centre, run, to, to + stride, {carried, stride});
             }
+            carried += group.count * Carried::rows * stride;
         }
     }
 

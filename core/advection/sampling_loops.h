@@ -6,11 +6,10 @@
 
 namespace whorl {
 
-/// Four samples along x, `offset` from a place.
+/// Four samples along x around places.
 template <class T>
 struct Four {
     T qm, q0, q1, q2;
-    WHORL_INLINE Four(const Reader<T>& samples, Index offset) { samples.four(offset, qm, q0, q1, q2); }
 
     template <class Interpolation>
     WHORL_INLINE T at(T t, IntervalOf<T> interval) const {
@@ -18,30 +17,50 @@ struct Four {
     }
 };
 
-/// One axis first, then the other, over the 4 × 4 samples around a place.
-template <class Interpolation, bool x_first, bool clamped, class T>
-WHORL_INLINE T cubic(const Reader<T>& samples, Index stride, T x, T y, IntervalOf<T> in_x,
-                     IntervalOf<T> in_y) {
-    const Four<T> below(samples, -stride), low(samples, 0), high(samples, stride), above(samples, 2 * stride);
-    T value;
-    if constexpr (x_first) {
-        value = Interpolation::at(below.template at<Interpolation>(x, in_x),
-                                  low.template at<Interpolation>(x, in_x),
-                                  high.template at<Interpolation>(x, in_x),
-                                  above.template at<Interpolation>(x, in_x), y, in_y);
-    } else {
-        value = Interpolation::at(Interpolation::at(below.qm, low.qm, high.qm, above.qm, y, in_y),
-                                  Interpolation::at(below.q0, low.q0, high.q0, above.q0, y, in_y),
-                                  Interpolation::at(below.q1, low.q1, high.q1, above.q1, y, in_y),
-                                  Interpolation::at(below.q2, low.q2, high.q2, above.q2, y, in_y), x, in_x);
+/// The 4 × 4 samples around places.
+template <class T>
+struct Patch {
+    Four<T> below, low, high, above;
+
+    WHORL_INLINE Patch(const Real* origin, Index stride, IndexLanes<sizeof(T)> at) {
+        if (in_a_row(at)) {
+            read(origin, stride, InARow<T>(at));
+        } else {
+            read(origin, stride, Apart<T>(at));
+        }
     }
-    if constexpr (clamped) {
+
+    /// One axis first, then the other.
+    template <class Interpolation, bool x_first>
+    WHORL_INLINE T at(T x, T y, IntervalOf<T> in_x, IntervalOf<T> in_y) const {
+        if constexpr (x_first) {
+            return Interpolation::at(below.template at<Interpolation>(x, in_x),
+                                     low.template at<Interpolation>(x, in_x),
+                                     high.template at<Interpolation>(x, in_x),
+                                     above.template at<Interpolation>(x, in_x), y, in_y);
+        } else {
+            return Interpolation::at(Interpolation::at(below.qm, low.qm, high.qm, above.qm, y, in_y),
+                                     Interpolation::at(below.q0, low.q0, high.q0, above.q0, y, in_y),
+                                     Interpolation::at(below.q1, low.q1, high.q1, above.q1, y, in_y),
+                                     Interpolation::at(below.q2, low.q2, high.q2, above.q2, y, in_y), x,
+                                     in_x);
+        }
+    }
+    WHORL_INLINE T clamp(T value) const {
         const T least = smaller(smaller(low.q0, low.q1), smaller(high.q0, high.q1));
         const T most = larger(larger(low.q0, low.q1), larger(high.q0, high.q1));
-        value = smaller(larger(value, least), most);
+        return smaller(larger(value, least), most);
     }
-    return value;
-}
+
+  private:
+    template <class Samples>
+    WHORL_INLINE void read(const Real* origin, Index stride, const Samples& at) {
+        at.four(origin - stride, below.qm, below.q0, below.q1, below.q2);
+        at.four(origin, low.qm, low.q0, low.q1, low.q2);
+        at.four(origin + stride, high.qm, high.q0, high.q1, high.q2);
+        at.four(origin + 2 * stride, above.qm, above.q0, above.q1, above.q2);
+    }
+};
 
 template <class Interpolation, bool x_first, bool clamped, bool periodic>
 struct SampleLoop {
@@ -55,14 +74,14 @@ struct SampleLoop {
         const int last_y = field.height() - 1;
         for (int k = 0; k < count; k += lane_count<T>) {
             const T x = load<T>(at.x + k), y = load<T>(at.y + k);
-            const Reader<T> samples(origin, load<I>(at.at + k));
+            const I samples = load<I>(at.at + k);
             if constexpr (Interpolation::support == 2) {
-                store(Cell<T>(samples, stride).bilinear(x, y), out + k);
+                store(Cell<T>::around(origin, stride, samples).bilinear(x, y), out + k);
             } else {
-                store(cubic<Interpolation, x_first, clamped>(samples, stride, x, y,
-                                                             {load<I>(at.i + k), last_x, periodic},
-                                                             {load<I>(at.j + k), last_y, periodic}),
-                      out + k);
+                const Patch<T> patch(origin, stride, samples);
+                const T value = patch.template at<Interpolation, x_first>(
+                    x, y, {load<I>(at.i + k), last_x, periodic}, {load<I>(at.j + k), last_y, periodic});
+                store(clamped ? patch.clamp(value) : value, out + k);
             }
         }
     }
@@ -77,7 +96,7 @@ struct LimitLoop {
         const Real* origin = q.row(0);
         const Index stride = q.stride();
         for (int k = 0; k < count; k += lane_count<T>) {
-            const Cell<T> cell(Reader<T>(origin, load<IndexLanes<bytes>>(at + k)), stride);
+            const auto cell = Cell<T>::around(origin, stride, load<IndexLanes<bytes>>(at + k));
             store(Limiter::limit(load<T>(value + k), load<T>(first_order + k), cell.lowest(), cell.highest()),
                   value + k);
         }

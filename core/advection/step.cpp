@@ -47,13 +47,11 @@ void Step::plain_run(const Group& group, Run run, Real direction, const Stepped&
         if (particle.offset == Vec2(0, 0)) continue;  // its share is a difference from itself
         const Site site = group.shape().site();
         Displacements d;
-        Places from;
+        alignas(64) Real carried[Group::max_fields * Carried::rows * Run::size];
         kernels.trace({velocity, site}, run, particle.offset, direction * dt, d.x, d.y);
-        kernels.locate(group.shape(), site, run, d.x, d.y, from);
+        kernels.carry(group.sources(), site, run, d.x, d.y, {carried, Run::size});
         for (int f = 0; f < group.count; ++f) {
-            alignas(64) Real carried[Carried::rows * Run::size];
-            const Share share{carried, particle};
-            kernels.carry(*group.from[f], from, run.count, {carried, Run::size});
+            const Share share{carried + f * Carried::rows * Run::size, particle};
             kernels.gather({&share, 1}, Run::size, run.count, out.first_order[f], sum[f]);
         }
     }

@@ -24,6 +24,7 @@ struct Group {
         to[count++] = &out;
     }
     const Field& shape() const { return *from[0]; }
+    std::span<const Field* const> sources() const { return std::span(from).first(count); }
 };
 
 /// Groups at different sites that move by the same schemes.

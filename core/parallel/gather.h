@@ -19,13 +19,6 @@ WHORL_INLINE T each_from(const Real* from, const Index* at, std::index_sequence<
     return T{from[at[K]]...};
 }
 
-/// Two neighbours travel as one double.
-template <std::size_t... K>
-WHORL_INLINE auto pairs_from(const Real* from, const Index* at, std::index_sequence<K...>) {
-    using Pairs __attribute__((vector_size(8 * sizeof...(K)))) = double;
-    return Pairs{load<double>(from + at[K])...};
-}
-
 template <class T, std::size_t... K>
 WHORL_INLINE T every_second(T a, T b, std::index_sequence<K...>, std::integral_constant<int, 0>) {
     return __builtin_shufflevector(a, b, (static_cast<int>(2 * K))...);
@@ -39,7 +32,18 @@ template <class T, std::size_t... K>
 WHORL_INLINE auto join(T a, T b, std::index_sequence<K...>) {
     return __builtin_shufflevector(a, b, (static_cast<int>(K))...);
 }
-/// Four neighbours from each of `lanes / 4` places, every fourth of those at `at`, side by side.
+/// Two neighbours from each of `lanes / 2` places, side by side; they travel as one double.
+template <int lanes>
+WHORL_INLINE auto pairs_from(const Real* from, const Index* at) {
+    if constexpr (lanes == 4) {
+        using Pairs __attribute__((vector_size(16))) = double;
+        return (typename Chunk<16>::Type)Pairs{load<double>(from + at[0]), load<double>(from + at[1])};
+    } else {
+        return join(pairs_from<lanes / 2>(from, at), pairs_from<lanes / 2>(from, at + lanes / 4),
+                    std::make_index_sequence<lanes>{});
+    }
+}
+/// Four neighbours from each of `lanes / 4` places, side by side.
 template <int lanes>
 WHORL_INLINE auto quads_from(const Real* from, const Index* at) {
     if constexpr (lanes == 4) {
@@ -70,30 +74,40 @@ WHORL_INLINE T halves(T a, T b, std::index_sequence<K...>) {
 
 }  // namespace detail
 
-/// Where lanes read from one array: lane k at index `at[k]`. Smooth flows keep neighbours together, and what
-/// lies in a row is one load.
+/// Lanes that read neighbours: lane k at index first + k.
 template <class T>
-class Reader {
+class InARow {
   public:
-    using Indices = IndexLanes<sizeof(T)>;
-    static constexpr int lanes = lane_count<T>;
+    WHORL_INLINE explicit InARow(IndexLanes<sizeof(T)> at) : first_(at[0]) {}
 
-    WHORL_INLINE Reader(const Real* origin, Indices at) : origin_(origin), first_(at[0]) {
-        in_a_row_ = all_zero(at - first_ - count_up<Indices>());
-        store(at, at_);
+    /// The samples at each lane's index, and those after them.
+    WHORL_INLINE void pair(const Real* from, T& q0, T& q1) const {
+        q0 = load<T>(from + first_);
+        q1 = load<T>(from + first_ + 1);
+    }
+    /// The sample before each lane's index, the one there, and the two after it.
+    WHORL_INLINE void four(const Real* from, T& qm, T& q0, T& q1, T& q2) const {
+        pair(from - 1, qm, q0);
+        pair(from + 1, q1, q2);
     }
 
-    /// The samples `offset` from each lane's place, and those after them.
-    WHORL_INLINE void pair(Index offset, T& q0, T& q1) const {
-        const Real* from = origin_ + offset;
-        if (in_a_row_) {
-            q0 = load<T>(from + first_);
-            q1 = load<T>(from + first_ + 1);
-        } else if constexpr (sizeof(Real) == 4) {
-            const auto half = std::make_index_sequence<lanes / 2>{};
+  private:
+    Index first_;
+};
+
+/// Lanes that read from anywhere: lane k at index `at[k]`.
+template <class T>
+class Apart {
+  public:
+    static constexpr int lanes = lane_count<T>;
+
+    WHORL_INLINE explicit Apart(IndexLanes<sizeof(T)> at) { store(at, at_); }
+
+    WHORL_INLINE void pair(const Real* from, T& q0, T& q1) const {
+        if constexpr (sizeof(Real) == 4) {
             const auto all = std::make_index_sequence<lanes>{};
-            const T a = (T)detail::pairs_from(from, at_, half);
-            const T b = (T)detail::pairs_from(from, at_ + lanes / 2, half);
+            const T a = detail::pairs_from<lanes>(from, at_);
+            const T b = detail::pairs_from<lanes>(from, at_ + lanes / 2);
             q0 = detail::every_second(a, b, all, std::integral_constant<int, 0>{});
             q1 = detail::every_second(a, b, all, std::integral_constant<int, 1>{});
         } else {
@@ -101,21 +115,13 @@ class Reader {
             q1 = detail::each_from<T>(from + 1, at_, std::make_index_sequence<lanes>{});
         }
     }
-
-    /// The samples `offset` − 1 … `offset` + 2 from each lane's place.
-    WHORL_INLINE void four(Index offset, T& qm, T& q0, T& q1, T& q2) const {
-        const Real* from = origin_ + offset - 1;
-        if (in_a_row_) {
-            qm = load<T>(from + first_);
-            q0 = load<T>(from + first_ + 1);
-            q1 = load<T>(from + first_ + 2);
-            q2 = load<T>(from + first_ + 3);
-        } else if constexpr (sizeof(Real) == 4) {
+    WHORL_INLINE void four(const Real* from, T& qm, T& q0, T& q1, T& q2) const {
+        if constexpr (sizeof(Real) == 4) {
             const auto all = std::make_index_sequence<lanes>{};
             Index turned[lanes];  // lanes m, m + 4, m + 8, … together
             for (int k = 0; k < lanes; ++k) turned[k % 4 * (lanes / 4) + k / 4] = at_[k];
-            const T a = quads(from, turned, 0), b = quads(from, turned, 1);
-            const T c = quads(from, turned, 2), d = quads(from, turned, 3);
+            const T a = quads(from - 1, turned, 0), b = quads(from - 1, turned, 1);
+            const T c = quads(from - 1, turned, 2), d = quads(from - 1, turned, 3);
             const T ab_low = detail::zip<true>(a, b, all), ab_high = detail::zip<false>(a, b, all);
             const T cd_low = detail::zip<true>(c, d, all), cd_high = detail::zip<false>(c, d, all);
             qm = detail::halves<true>(ab_low, cd_low, all);
@@ -123,8 +129,8 @@ class Reader {
             q1 = detail::halves<true>(ab_high, cd_high, all);
             q2 = detail::halves<false>(ab_high, cd_high, all);
         } else {
-            pair(offset - 1, qm, q0);
-            pair(offset + 1, q1, q2);
+            pair(from - 1, qm, q0);
+            pair(from + 1, q1, q2);
         }
     }
 
@@ -133,10 +139,13 @@ class Reader {
         return detail::quads_from<lanes>(from, turned + m * (lanes / 4));
     }
 
-    const Real* origin_;
-    Index first_;
-    bool in_a_row_;
     Index at_[lanes];
 };
+
+/// Whether lanes read neighbours. Smooth flows keep them together, and then a load serves a whole vector.
+template <class I>
+WHORL_INLINE bool in_a_row(I at) {
+    return all_zero(at - at[0] - count_up<I>());
+}
 
 }  // namespace whorl

@@ -13,11 +13,11 @@ struct Rk4 {
                                      "Four samples of the velocity; the path is as good as exact."};
 
     /// @param u  velocity at a place, cells/time
+    /// @param k1 the velocity at x
     /// @param x  the point to trace back, cells
     /// @param dt step, time; negative traces forward
     template <class T, class Velocity>
-    static WHORL_INLINE Point<T> trace(const Velocity& u, Point<T> x, Real dt) {
-        const Point<T> k1 = u(x);
+    static WHORL_INLINE Point<T> trace(const Velocity& u, Point<T> k1, Point<T> x, Real dt) {
         const Point<T> k2 = u(x - dt / 2 * k1);
         const Point<T> k3 = u(x - dt / 2 * k2);
         const Point<T> k4 = u(x - dt * k3);
