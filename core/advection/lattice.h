@@ -62,8 +62,8 @@ class Lattice {
 /// A thread's stretch of lattice: a few rows of points, a tile's width wide, and what they carry.
 class LatticeTile {
   public:
-    /// Cells across; its rows stay in a core's own cache.
-    static constexpr int max_cells = 128;
+    /// Cells across: rows stay in a core's own cache, and with a cell more they are whole runs.
+    static constexpr int max_cells = 2 * Run::size - 1;
     /// A cache line, or a vector register.
     struct alignas(64) Line {
         static constexpr int size = 64 / sizeof(Real);
@@ -79,11 +79,13 @@ class LatticeTile {
     /// What point x (0 … per_cell − 1) of each cell in lattice row y carries: rows of values.
     Real* row(int y, int x) {
         const int slot = ((y % slots_) + slots_) % slots_;
-        return lines_.front().values + (static_cast<std::size_t>(slot) * per_cell_ + x) * rows_ * stride;
+        return lines_.front().values + slot * point(per_cell_) + point(x);
     }
+    /// From point 0 to point x of a lattice row.
+    std::ptrdiff_t point(int x) const { return static_cast<std::ptrdiff_t>(x) * rows_ * stride; }
     /// From one row of values to the next: as many as lines hold, with a cell on either side and the rest of
     /// a vector; odd in lines, so that rows do not crowd into one set of the cache.
-    static constexpr std::ptrdiff_t stride = max_cells + 3 * Line::size;
+    static constexpr std::ptrdiff_t stride = max_cells + 1 + Line::size;
 
   private:
     int slots_ = 1, per_cell_ = 1, rows_ = 0;

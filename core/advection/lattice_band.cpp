@@ -24,18 +24,23 @@ class Band {
           tile_(tile),
           first_cell_(first_cell),
           end_cell_(end_cell) {
+        for (const Group& group : groups_) {
+            lowest_ = std::min(lowest_, lattice_.lowest(site(group)));
+            highest_ = std::max(highest_, lattice_.highest(site(group)));
+        }
         find_reaches();
+        find_sources();
     }
 
     void run(int first, int last, Finish finish) {
         const int m = lattice_.per_cell();
-        int next = m * first;  // the lattice row to trace
-        for (const Group& group : groups_) next = std::min(next, m * first + lattice_.lowest(site(group)));
+        int next = m * first + lowest_;  // the lattice row to trace
         for (int j = first; j < last; ++j) {
             for (int g = 0; g < static_cast<int>(groups_.size()); ++g) {
                 if (j >= groups_[g].shape().height()) continue;
                 for (; next <= m * j + lattice_.highest(site(groups_[g])); ++next) trace_row(next);
             }
+            for (int y = lowest_; y <= highest_; ++y) rows_[y - lowest_] = tile_.row(m * j + y, 0);
             for (int g = 0; g < static_cast<int>(groups_.size()); ++g) {
                 if (j < groups_[g].shape().height()) update_row(g, j, finish);
             }
@@ -47,6 +52,14 @@ class Band {
     struct Reach {
         unsigned groups = 0;
         int low = 0, high = 0;
+    };
+
+    /// What a node of a group takes: the row of points, counted from the lowest in use, and where in it what
+    /// the particle carries to the tile's first node stands.
+    struct Source {
+        int row;
+        std::ptrdiff_t offset;
+        Particle particle;
     };
 
     static Site site(const Group& group) { return group.shape().site(); }
@@ -63,6 +76,23 @@ class Band {
         for (int g = 0; g < static_cast<int>(groups_.size()); ++g) {
             for (const Lattice::Point& p : lattice_.particles(site(groups_[g]))) add(g, p);
             if (const auto& node = lattice_.node(site(groups_[g]))) add(g, *node);
+        }
+    }
+
+    void find_sources() {
+        const int m = lattice_.per_cell();
+        int row = LatticeTile::displacement_rows;
+        for (int g = 0; g < static_cast<int>(groups_.size()); ++g) {
+            const auto particles = lattice_.particles(site(groups_[g]));
+            for (std::size_t k = 0; k < particles.size(); ++k) {
+                const Lattice::Point& p = particles[k];
+                const int cell = floor_div(p.x, m);
+                const int x = p.x - m * cell;
+                sources_[g][k] = {p.y - lowest_,
+                                  tile_.point(x) + row * LatticeTile::stride + cell - reach(p.y, x).low,
+                                  p.particle};
+            }
+            row += groups_[g].count * Carried::rows;
         }
     }
 
@@ -126,13 +156,12 @@ class Band {
         } else {
             step_.departure(run, group.shape(), direction_, places);
         }
-        const auto particles = lattice_.particles(site(group));
+        const std::size_t count = lattice_.particles(site(group)).size();
         std::array<Share, Stencil::max_particles> buffer;
-        const std::span<Share> shares = std::span(buffer).first(particles.size());
-        for (std::size_t k = 0; k < particles.size(); ++k) {
-            const Lattice::Point& p = particles[k];
-            const int cell = floor_div(p.x, m);
-            shares[k] = {at(m * run.j + p.y, p.x - m * cell, run.i + cell) + row * stride, p.particle};
+        const std::span<Share> shares = std::span(buffer).first(count);
+        for (std::size_t k = 0; k < count; ++k) {
+            const Source& source = sources_[g][k];
+            shares[k] = {rows_[source.row] + source.offset + (run.i - first_cell_), source.particle};
         }
         for (int f = 0; f < group.count; ++f) {
             if (node) {
@@ -155,7 +184,10 @@ class Band {
     Real direction_;
     LatticeTile& tile_;
     int first_cell_, end_cell_;
+    int lowest_ = 0, highest_ = 0;
     Reach reaches_[Lattice::max_per_cell][Lattice::max_per_cell];
+    std::array<std::array<Source, Stencil::max_particles>, max_groups> sources_;
+    std::array<Real*, 2 * Lattice::max_per_cell> rows_{};  ///< of lattice points around a row of nodes
 };
 
 }  // namespace
@@ -164,10 +196,9 @@ void lattice_band(const Step& step, Groups groups, Real direction, int first, in
                   Finish finish) {
     int width = 0;
     for (const Group& group : groups) width = std::max(width, group.shape().width());
-    const int tiles = (width + LatticeTile::max_cells - 1) / LatticeTile::max_cells;
-    const int cells = (width + tiles - 1) / tiles;
-    for (int i = 0; i < width; i += cells) {
-        Band(step, groups, direction, tile, i, std::min(i + cells, width)).run(first, last, finish);
+    for (int i = 0; i < width; i += LatticeTile::max_cells) {
+        const int end = std::min(i + LatticeTile::max_cells, width);
+        Band(step, groups, direction, tile, i, end).run(first, last, finish);
     }
 }
 
