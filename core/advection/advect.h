@@ -21,20 +21,24 @@ class Mover {
     const SchemeSet& schemes() const { return schemes_; }
 
     /// One step of advection.
-    /// @param group    fields at one site at the step's start, ghosts filled, and distinct ones for the
-    /// result,
-    ///                 whose ghosts are filled too; any unit
+    /// @param groups   up to one a site: fields at the step's start, ghosts filled, and distinct ones for the
+    ///                 result, whose ghosts are filled too; any unit
     /// @param velocity at the step's start, ghosts filled, length/time
     /// @param dt       time; negative moves backwards
+    void advect(Groups groups, const FaceVelocity& velocity, double dt, const Boundary& boundary, Pool& pool);
     void advect(const Group& group, const FaceVelocity& velocity, double dt, const Boundary& boundary,
-                Pool& pool);
+                Pool& pool) {
+        advect(Groups(&group, 1), velocity, dt, boundary, pool);
+    }
 
   private:
     SchemeSet schemes_;
     int dimensions_ = 0;
     std::uint64_t seed_ = 0;
     std::optional<Stencil> stencil_;
-    Workspace work_[3];  ///< one a site
+    std::optional<Lattice> lattice_;
+    std::vector<LatticeTile> tiles_;  ///< one a thread
+    std::array<Workspace, max_groups> work_;
 };
 
 }  // namespace whorl

@@ -1,6 +1,8 @@
 // The affine semi-Lagrangian advection method and its relatives.
 #pragma once
 
+#include <algorithm>
+
 #include "core/advection/step.h"
 #include "core/schemes/scheme.h"
 
@@ -12,16 +14,13 @@ struct AslamUpdate {
     static constexpr bool predictor_corrector = false;
     static constexpr bool clamps_base = false;
 
-    /// @param group fields at the step's start, ghosts filled, and distinct ones for the result; any unit
-    static void advect(const Step& step, const Group& group, Workspace&) {
-        step.for_runs(group.shape(), [&](Run run) {
-            Places at;
-            GroupValues q, first_order;
-            step.departure(run, group.shape(), 1, at);
-            step.base(run, group, at, 1, q, first_order);
+    /// @param groups fields at the step's start, ghosts filled, and distinct ones for the result; any unit
+    static void advect(const Step& step, Groups groups, std::span<Workspace>) {
+        step.apply(groups, 1, [&](const Stepped& r) {
+            const Group& group = groups[r.group];
             for (int f = 0; f < group.count; ++f) {
-                step.kernels.limit(*group.from[f], at, run.count, first_order[f], q[f]);
-                std::copy_n(q[f], run.count, group.to[f]->row(run.j) + run.i);
+                step.kernels.limit(*group.from[f], r.at.at, r.run.count, r.first_order[f], r.q[f]);
+                std::copy_n(r.q[f], r.run.count, group.to[f]->row(r.run.j) + r.run.i);
             }
         });
     }

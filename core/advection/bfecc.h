@@ -17,36 +17,25 @@ struct Bfecc {
     static constexpr bool predictor_corrector = true;
     static constexpr bool clamps_base = false;
 
-    /// @param group fields at the step's start, ghosts filled, and distinct ones for the result; any unit
-    static void advect(const Step& step, const Group& group, Workspace& work) {
-        step_forward(step, group, work);
-        step.for_runs(group.shape(), [&](Run run) {
-            GroupValues error;
-            half_error(step, group, work, run, error);
-            for (int f = 0; f < group.count; ++f) {
-                const Real* q = group.from[f]->row(run.j) + run.i;
-                Real* corrected = work.corrected[f].row(run.j) + run.i;
-                for (int k = 0; k < run.count; ++k) corrected[k] = q[k] - error[f][k];
-            }
+    /// @param groups fields at the step's start, ghosts filled, and distinct ones for the result; any unit
+    static void advect(const Step& step, Groups groups, std::span<Workspace> work) {
+        step_forward(step, groups, work);
+        half_error(step, groups, work, [&](int g, int f, Run run, const Values& error) {
+            const Real* q = groups[g].from[f]->row(run.j) + run.i;
+            Real* corrected = work[g].corrected[f].row(run.j) + run.i;
+            for (int k = 0; k < run.count; ++k) corrected[k] = q[k] - error[k];
         });
-        Group again;
-        for (int f = 0; f < group.count; ++f) {
-            step.boundary->fill(work.corrected[f]);
-            again.add(work.corrected[f], *group.to[f]);
+        std::array<Group, max_groups> again;
+        for (std::size_t g = 0; g < groups.size(); ++g) {
+            for (int f = 0; f < groups[g].count; ++f) {
+                step.boundary->fill(work[g].corrected[f]);
+                again[g].add(work[g].corrected[f], *groups[g].to[f]);
+            }
         }
-        step.for_runs(group.shape(), [&](Run run) {
-            Places at;
-            GroupValues q, first_order;
-            step.departure(run, group.shape(), 1, at);
-            step.base(run, again, at, 1, q, first_order);
-            for (int f = 0; f < group.count; ++f) {
-                if (step.kernels.limit_base) {
-                    step.kernels.limit_base(*again.from[f], at, run.count, first_order[f], q[f]);
-                }
-                Values reverted;
-                std::copy_n(work.forward[f].row(run.j) + run.i, run.count, reverted);
-                step.kernels.limit(*group.from[f], at, run.count, reverted, q[f]);
-                std::copy_n(q[f], run.count, group.to[f]->row(run.j) + run.i);
+        step.apply(std::span(again).first(groups.size()), 1, [&](const Stepped& r) {
+            limit_base(step, again[r.group], r);
+            for (int f = 0; f < groups[r.group].count; ++f) {
+                finish_limited(step, groups[r.group], work[r.group], f, r.run, r.q[f]);
             }
         });
     }

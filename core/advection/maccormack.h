@@ -16,21 +16,14 @@ struct MacCormack {
     static constexpr bool predictor_corrector = true;
     static constexpr bool clamps_base = false;
 
-    /// @param group fields at the step's start, ghosts filled, and distinct ones for the result; any unit
-    static void advect(const Step& step, const Group& group, Workspace& work) {
-        step_forward(step, group, work);
-        step.for_runs(group.shape(), [&](Run run) {
-            GroupValues error;
-            half_error(step, group, work, run, error);
-            Places at;
-            step.departure(run, group.shape(), 1, at);
-            for (int f = 0; f < group.count; ++f) {
-                Values forward, q;
-                std::copy_n(work.forward[f].row(run.j) + run.i, run.count, forward);
-                for (int k = 0; k < run.count; ++k) q[k] = forward[k] - error[f][k];
-                step.kernels.limit(*group.from[f], at, run.count, forward, q);
-                std::copy_n(q, run.count, group.to[f]->row(run.j) + run.i);
-            }
+    /// @param groups fields at the step's start, ghosts filled, and distinct ones for the result; any unit
+    static void advect(const Step& step, Groups groups, std::span<Workspace> work) {
+        step_forward(step, groups, work);
+        half_error(step, groups, work, [&](int g, int f, Run run, Values& error) {
+            const Real* forward = work[g].forward[f].row(run.j) + run.i;
+            alignas(64) Values q;
+            for (int k = 0; k < run.count; ++k) q[k] = forward[k] - error[k];
+            finish_limited(step, groups[g], work[g], f, run, q);
         });
     }
 };

@@ -1,44 +1,62 @@
 // The first two steps that MacCormack and BFECC share: forward, and back again.
 #pragma once
 
+#include <algorithm>
+
 #include "core/advection/step.h"
 
 namespace whorl {
 
-/// q̂^{n+1} = A(q^n) into the workspace, ghosts filled.
-inline void step_forward(const Step& step, const Group& group, Workspace& work) {
-    work.shape_like(group);
-    step.for_runs(group.shape(), [&](Run run) {
-        Places at;
-        GroupValues q, first_order;
-        step.departure(run, group.shape(), 1, at);
-        step.base(run, group, at, 1, q, first_order);
-        for (int f = 0; f < group.count; ++f) {
-            if (step.kernels.limit_base) {
-                step.kernels.limit_base(*group.from[f], at, run.count, first_order[f], q[f]);
-            }
-            std::copy_n(q[f], run.count, work.forward[f].row(run.j) + run.i);
-        }
-    });
-    for (int f = 0; f < group.count; ++f) step.boundary->fill(work.forward[f]);
+/// Limits the base step inside a predictor-corrector, where its scheme asks for that.
+inline void limit_base(const Step& step, const Group& from, const Stepped& r) {
+    if (step.kernels.limit_base == nullptr) return;
+    for (int f = 0; f < from.count; ++f) {
+        step.kernels.limit_base(*from.from[f], r.at.at, r.run.count, r.first_order[f], r.q[f]);
+    }
 }
 
-/// The error e = (q̂^n − q^n)/2 of a run, where q̂^n = Aʳ(q̂^{n+1}).
-inline void half_error(const Step& step, const Group& group, const Workspace& work, Run run,
-                       GroupValues& error) {
-    Group back;
-    for (int f = 0; f < group.count; ++f) back.add(work.forward[f], *group.to[f]);
-    Places at;
-    GroupValues first_order;
-    step.departure(run, group.shape(), -1, at);
-    step.base(run, back, at, -1, error, first_order);
-    for (int f = 0; f < group.count; ++f) {
-        if (step.kernels.limit_base) {
-            step.kernels.limit_base(*back.from[f], at, run.count, first_order[f], error[f]);
+/// q̂^{n+1} = A(q^n) into the workspaces, ghosts filled, and the cells of the departure points.
+inline void step_forward(const Step& step, Groups groups, std::span<Workspace> work) {
+    for (std::size_t g = 0; g < groups.size(); ++g) work[g].shape_like(groups[g]);
+    step.apply(groups, 1, [&](const Stepped& r) {
+        const Group& group = groups[r.group];
+        Workspace& to = work[r.group];
+        limit_base(step, group, r);
+        for (int f = 0; f < group.count; ++f) {
+            std::copy_n(r.q[f], r.run.count, to.forward[f].row(r.run.j) + r.run.i);
         }
-        const Real* q = group.from[f]->row(run.j) + run.i;
-        for (int k = 0; k < run.count; ++k) error[f][k] = (error[f][k] - q[k]) * Real(0.5);
+        std::copy_n(r.at.at, r.run.count, to.departures(r.run, group.shape()));
+    });
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+        for (int f = 0; f < groups[g].count; ++f) step.boundary->fill(work[g].forward[f]);
     }
+}
+
+/// Takes the error e = (q̂^n − q^n)/2, where q̂^n = Aʳ(q̂^{n+1}), to `use(g, f, run, e)` for each field f of each
+/// group g.
+template <class Use>
+void half_error(const Step& step, Groups groups, std::span<Workspace> work, Use&& use) {
+    std::array<Group, max_groups> back;
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+        for (int f = 0; f < groups[g].count; ++f) back[g].add(work[g].forward[f], *groups[g].to[f]);
+    }
+    step.apply(std::span(back).first(groups.size()), -1, [&](const Stepped& r) {
+        limit_base(step, back[r.group], r);
+        for (int f = 0; f < groups[r.group].count; ++f) {
+            const Real* q = groups[r.group].from[f]->row(r.run.j) + r.run.i;
+            Values& error = r.q[f];
+            for (int k = 0; k < r.run.count; ++k) error[k] = (error[k] - q[k]) * Real(0.5);
+            use(r.group, f, r.run, error);
+        }
+    });
+}
+
+/// Limits new values to the nodes of q^n that enclose the forward departure points, and writes them.
+inline void finish_limited(const Step& step, const Group& group, Workspace& work, int f, Run run, Values& q) {
+    alignas(64) Values forward;
+    std::copy_n(work.forward[f].row(run.j) + run.i, run.count, forward);
+    step.kernels.limit(*group.from[f], work.departures(run, group.shape()), run.count, forward, q);
+    std::copy_n(q, run.count, group.to[f]->row(run.j) + run.i);
 }
 
 }  // namespace whorl

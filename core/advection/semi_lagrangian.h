@@ -1,6 +1,8 @@
 // The semi-Lagrangian advector.
 #pragma once
 
+#include <algorithm>
+
 #include "core/advection/step.h"
 #include "core/schemes/scheme.h"
 
@@ -16,15 +18,12 @@ struct SemiLagrangian {
     static constexpr bool predictor_corrector = false;
     static constexpr bool clamps_base = false;
 
-    /// @param group fields at the step's start, ghosts filled, and distinct ones for the result; any unit
-    static void advect(const Step& step, const Group& group, Workspace&) {
-        step.for_runs(group.shape(), [&](Run run) {
-            Places at;
-            step.departure(run, group.shape(), 1, at);
+    /// @param groups fields at the step's start, ghosts filled, and distinct ones for the result; any unit
+    static void advect(const Step& step, Groups groups, std::span<Workspace>) {
+        step.apply(groups, 1, [&](const Stepped& r) {
+            const Group& group = groups[r.group];
             for (int f = 0; f < group.count; ++f) {
-                Values q;
-                step.kernels.sample(*group.from[f], at, run.count, q);
-                std::copy_n(q, run.count, group.to[f]->row(run.j) + run.i);
+                std::copy_n(r.q[f], r.run.count, group.to[f]->row(r.run.j) + r.run.i);
             }
         });
     }

@@ -1,37 +1,62 @@
 #include "core/advection/step.h"
 
+#include <algorithm>
+
 namespace whorl {
+
+int Step::most_rows(Groups groups) {
+    int rows = 0;
+    for (const Group& group : groups) rows = std::max(rows, group.shape().height());
+    return rows;
+}
 
 void Step::departure(Run run, const Field& shape, Real direction, Places& out) const {
     Displacements d;
-    kernels.trace(flow, run, Vec2(0, 0), direction * dt, d);
-    kernels.locate(shape, run, d, out);
+    kernels.trace({velocity, shape.site()}, run, Vec2(0, 0), direction * dt, d.x, d.y);
+    kernels.locate(shape, shape.site(), run, d.x, d.y, out);
 }
 
-void Step::base(Run run, const Group& group, const Places& at, Real direction, GroupValues& out,
-                GroupValues& first_order) const {
-    if (kernels.share == nullptr) {
-        for (int f = 0; f < group.count; ++f) {
-            kernels.sample(*group.from[f], at, run.count, out[f]);
-            std::copy_n(out[f], run.count, first_order[f]);
+void Step::plain_band(Groups groups, Real direction, int first, int last, Finish finish) const {
+    for (int j = first; j < last; ++j) {
+        for (int g = 0; g < static_cast<int>(groups.size()); ++g) {
+            const Field& shape = groups[g].shape();
+            if (j >= shape.height()) continue;
+            for (int i = 0; i < shape.width(); i += Run::size) {
+                const Run run{i, j, std::min(Run::size, shape.width() - i)};
+                Places at;
+                GroupValues q, first_order;
+                departure(run, shape, direction, at);
+                const Stepped result{g, run, at, q, first_order};
+                plain_run(groups[g], run, direction, result);
+                finish(result);
+            }
         }
+    }
+}
+
+void Step::plain_run(const Group& group, Run run, Real direction, const Stepped& out) const {
+    if (kernels.carry == nullptr) {
+        for (int f = 0; f < group.count; ++f) kernels.sample(*group.from[f], out.at, run.count, out.q[f]);
         return;
     }
     GroupValues sum{};
-    for (int f = 0; f < group.count; ++f)
-        kernels.sample_linear(*group.from[f], at, run.count, first_order[f]);
+    for (int f = 0; f < group.count; ++f) {
+        kernels.sample_linear(*group.from[f], out.at, run.count, out.first_order[f]);
+    }
     for (const Particle& particle : particles) {
         if (particle.offset == Vec2(0, 0)) continue;  // its share is a difference from itself
+        const Site site = group.shape().site();
         Displacements d;
-        Places from;
-        kernels.trace(flow, run, particle.offset, direction * dt, d);
-        kernels.locate(group.shape(), run, d, from);
+        alignas(64) Real carried[Group::max_fields * Carried::rows * Run::size];
+        kernels.trace({velocity, site}, run, particle.offset, direction * dt, d.x, d.y);
+        kernels.carry(group.sources(), site, run, d.x, d.y, {carried, Run::size});
         for (int f = 0; f < group.count; ++f) {
-            kernels.share(*group.from[f], from, run.count, particle, first_order[f], sum[f]);
+            const Share share{carried + f * Carried::rows * Run::size, particle};
+            kernels.gather({&share, 1}, Run::size, run.count, out.first_order[f], sum[f]);
         }
     }
     for (int f = 0; f < group.count; ++f) {
-        for (int k = 0; k < run.count; ++k) out[f][k] = first_order[f][k] + sum[f][k];
+        for (int k = 0; k < run.count; ++k) out.q[f][k] = out.first_order[f][k] + sum[f][k];
     }
 }
 
@@ -42,6 +67,7 @@ void Workspace::shape_like(const Group& group) {
             if (!field->same_shape(shape)) *field = Field(shape.width(), shape.height(), shape.site());
         }
     }
+    cells.resize(static_cast<std::size_t>(shape.width()) * shape.height() + Run::size);
 }
 
 }  // namespace whorl

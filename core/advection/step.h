@@ -1,10 +1,12 @@
-// One step A of a base scheme for a run of nodes: what every advector is made of.
+// One step A of a base scheme for fields: what every advector is made of.
 #pragma once
 
 #include <array>
 #include <span>
+#include <vector>
 
 #include "core/advection/kernels.h"
+#include "core/advection/lattice.h"
 #include "core/grid/boundary.h"
 #include "core/parallel/pool.h"
 
@@ -22,47 +24,87 @@ struct Group {
         to[count++] = &out;
     }
     const Field& shape() const { return *from[0]; }
+    std::span<const Field* const> sources() const { return std::span(from).first(count); }
 };
 
+/// Groups at different sites that move by the same schemes.
+using Groups = std::span<const Group>;
+/// One a site.
+inline constexpr std::size_t max_groups = 3;
+
 /// New values of a run, a row a field of the group.
-using GroupValues = std::array<Values, Group::max_fields>;
+struct GroupValues {
+    alignas(64) Values of[Group::max_fields];
+    Values& operator[](int f) { return of[f]; }
+};
+
+/// The result of a base step for a run of one group's nodes.
+struct Stepped {
+    int group;
+    Run run;
+    const Places& at;          ///< departure points of the nodes
+    GroupValues& q;            ///< new values, unclamped
+    GroupValues& first_order;  ///< with particles: the linear semi-Lagrangian values
+};
+
+/// What to do with each result; refers to a callable that outlives it.
+class Finish {
+  public:
+    template <class F>
+    Finish(F& finish)  // NOLINT(google-explicit-constructor): a callable is one
+        : callable_(&finish), call_([](void* f, const Stepped& result) { (*static_cast<F*>(f))(result); }) {}
+    void operator()(const Stepped& result) const { call_(callable_, result); }
+
+  private:
+    void* callable_;
+    void (*call_)(void*, const Stepped&);
+};
 
 /// The base step with everything decided: which loops, which particles, which flow.
 struct Step {
     Kernels kernels;
     std::span<const Particle> particles;
-    Flow flow;
+    const Lattice* lattice;        ///< which the particles of all nodes form; null where they do not
+    std::span<LatticeTile> tiles;  ///< one a thread, with a lattice
+    const FaceVelocity* velocity;
     const Boundary* boundary;
     Pool* pool;
     Real dt;  ///< step over cell size, time/length
 
-    /// Where the flow brings the nodes of a run from; `direction` −1 traces forward.
-    void departure(Run run, const Field& shape, Real direction, Places& out) const;
-
-    /// One base step for a run.  [T alg 3.1 without particles, 4.1 with them; unclamped]
-    /// @param at          departure points of the nodes
-    /// @param first_order the linear semi-Lagrangian values there, which limiters may revert to
-    void base(Run run, const Group& group, const Places& at, Real direction, GroupValues& out,
-              GroupValues& first_order) const;
-
-    /// Calls `work(run)` for runs that cover a field's nodes, on all threads.
-    template <class Work>
-    void for_runs(const Field& shape, Work&& work) const {
-        pool->bands(shape.height(), [&](int first, int last) {
-            for (int j = first; j < last; ++j) {
-                for (int i = 0; i < shape.width(); i += Run::size) {
-                    work(Run{i, j, std::min(Run::size, shape.width() - i)});
-                }
+    /// One base step of every group, handed to `finish` run by run, on all threads.
+    /// [T alg 3.1 without particles, 4.1 with them; unclamped]
+    /// @param direction −1 traces forward
+    template <class F>
+    void apply(Groups groups, Real direction, F finish) const {
+        pool->bands(most_rows(groups), [&, this](int first, int last, int thread) {
+            if (lattice == nullptr) {
+                plain_band(groups, direction, first, last, finish);
+            } else {
+                lattice_band(*this, groups, direction, first, last, tiles[thread], finish);
             }
         });
     }
+
+    /// Where the flow brings the nodes of a run from.
+    void departure(Run run, const Field& shape, Real direction, Places& out) const;
+
+  private:
+    static int most_rows(Groups groups);
+    /// Rows [first, last), node by node: each traces its own particles.
+    void plain_band(Groups groups, Real direction, int first, int last, Finish finish) const;
+    void plain_run(const Group& group, Run run, Real direction, const Stepped& out) const;
 };
 
-/// The intermediate fields of the predictor-correctors, kept from step to step.
+/// The intermediate fields of the predictor-correctors for one group, kept from step to step.
 struct Workspace {
     std::array<Field, Group::max_fields> forward;
     std::array<Field, Group::max_fields> corrected;
+    /// The cell of each node's forward departure point, as Places::at; a row may be read a run too far.
+    std::vector<Index> cells;
 
+    Index* departures(Run run, const Field& shape) {
+        return cells.data() + static_cast<std::size_t>(run.j) * shape.width() + run.i;
+    }
     /// Brings the fields into a group's shape; allocates only when that has changed.
     void shape_like(const Group& group);
 };

@@ -17,7 +17,8 @@ struct Bicubic {
 
     /// @param qm … q2 samples i − 1 … i + 2, any unit
     /// @param t       place in [i, i + 1], 0 to 1
-    static Real at(Real qm, Real q0, Real q1, Real q2, Real t, Interval interval) {
+    template <class T>
+    static WHORL_INLINE T at(T qm, T q0, T q1, T q2, T t, IntervalFor<T> interval) {
         return CatmullRom::at(qm, q0, q1, q2, t, interval);
     }
 };

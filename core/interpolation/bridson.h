@@ -1,7 +1,6 @@
 // Bridson's cubic interpolation.
 #pragma once
 
-#include "core/grid/real.h"
 #include "core/interpolation/interval.h"
 #include "core/schemes/scheme.h"
 
@@ -17,12 +16,13 @@ struct Bridson {
 
     /// @param qm … q2 samples i − 1 … i + 2, any unit
     /// @param t       place in [i, i + 1], 0 to 1
-    static Real at(Real qm, Real q0, Real q1, Real q2, Real t, Interval) {
-        const Real t2 = t * t;
-        const Real t3 = t2 * t;
-        const Real wm = t2 / 2 - t / 3 - t3 / 6;
-        const Real w1 = t + (t2 - t3) / 2;
-        const Real w2 = (t3 - t) / 6;
+    template <class T>
+    static WHORL_INLINE T at(T qm, T q0, T q1, T q2, T t, IntervalFor<T>) {
+        const T t2 = t * t;
+        const T t3 = t2 * t;
+        const T wm = t2 / 2 - t / 3 - t3 / 6;
+        const T w1 = t + (t2 - t3) / 2;
+        const T w2 = (t3 - t) / 6;
         // w0 is 1 less the others; written as differences from q0, so that a constant stays itself.
         return q0 + wm * (qm - q0) + w1 * (q1 - q0) + w2 * (q2 - q0);
     }

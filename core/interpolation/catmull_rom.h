@@ -18,8 +18,9 @@ struct CatmullRom {
 
     /// @param qm … q2 samples i − 1 … i + 2, any unit
     /// @param t       place in [i, i + 1], 0 to 1
-    static Real at(Real qm, Real q0, Real q1, Real q2, Real t, Interval) {
-        const Slopes d(qm, q0, q1, q2);
+    template <class T>
+    static WHORL_INLINE T at(T qm, T q0, T q1, T q2, T t, IntervalFor<T>) {
+        const Slopes<T> d(qm, q0, q1, q2);
         return hermite(q0, d.D, d.left, d.right, t);
     }
 };

@@ -1,9 +1,6 @@
 // Fritsch and Carlson's monotone interpolation, with their circle and with the square.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-
 #include "core/interpolation/hermite.h"
 #include "core/interpolation/interval.h"
 #include "core/schemes/scheme.h"
@@ -22,13 +19,14 @@ struct FritschCarlson {
 
     /// @param qm … q2 samples i − 1 … i + 2, any unit
     /// @param t       place in [i, i + 1], 0 to 1
-    static Real at(Real qm, Real q0, Real q1, Real q2, Real t, Interval) {
-        const Slopes d(qm, q0, q1, q2);
-        const Real left = same_sign_or_zero(d.left, d.D);
-        const Real right = same_sign_or_zero(d.right, d.D);
-        const Real size2 = left * left + right * right;
-        const Real limit2 = 9 * d.D * d.D;
-        const Real tau = size2 > limit2 ? std::sqrt(limit2 / size2) : Real(1);
+    template <class T>
+    static WHORL_INLINE T at(T qm, T q0, T q1, T q2, T t, IntervalFor<T>) {
+        const Slopes<T> d(qm, q0, q1, q2);
+        const T left = same_sign_or_zero(d.left, d.D);
+        const T right = same_sign_or_zero(d.right, d.D);
+        const T size2 = left * left + right * right;
+        const T limit2 = 9 * d.D * d.D;
+        const T tau = select(size2 > limit2, square_root(limit2 / size2), every<T>(1));
         return hermite(q0, d.D, tau * left, tau * right, t);
     }
 };
@@ -44,15 +42,17 @@ struct FritschCarlsonSquare {
 
     /// @param qm … q2 samples i − 1 … i + 2, any unit
     /// @param t       place in [i, i + 1], 0 to 1
-    static Real at(Real qm, Real q0, Real q1, Real q2, Real t, Interval) {
-        const Slopes d(qm, q0, q1, q2);
+    template <class T>
+    static WHORL_INLINE T at(T qm, T q0, T q1, T q2, T t, IntervalFor<T>) {
+        const Slopes<T> d(qm, q0, q1, q2);
         return hermite(q0, d.D, limited(d.left, d.D), limited(d.right, d.D), t);
     }
 
   private:
-    static Real limited(Real slope, Real D) {
-        const Real signed_slope = same_sign_or_zero(slope, D);
-        return D > 0 ? std::min(signed_slope, 3 * D) : std::max(signed_slope, 3 * D);
+    template <class T>
+    static WHORL_INLINE T limited(T slope, T D) {
+        const T signed_slope = same_sign_or_zero(slope, D);
+        return select(D > 0, smaller(signed_slope, 3 * D), larger(signed_slope, 3 * D));
     }
 };
 

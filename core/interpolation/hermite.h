@@ -1,7 +1,7 @@
 // The cubic Hermite interpolant that the slope-based schemes share.
 #pragma once
 
-#include "core/grid/real.h"
+#include "core/parallel/lanes.h"
 
 namespace whorl {
 
@@ -9,22 +9,25 @@ namespace whorl {
 /// @param q0 sample i
 /// @param D  q_{i+1} − q_i
 /// @param t  place in the interval, 0 to 1
-inline Real hermite(Real q0, Real D, Real d0, Real d1, Real t) {
-    const Real a3 = d0 + d1 - 2 * D;
-    const Real a2 = 3 * D - 2 * d0 - d1;
+template <class T>
+WHORL_INLINE T hermite(T q0, T D, T d0, T d1, T t) {
+    const T a3 = d0 + d1 - 2 * D;
+    const T a2 = 3 * D - 2 * d0 - d1;
     return q0 + t * (d0 + t * (a2 + t * a3));
 }
 
 /// The central slopes of samples i and i + 1, per cell.  [T 3.14]
+template <class T>
 struct Slopes {
-    Real D, left, right;
-    Slopes(Real qm, Real q0, Real q1, Real q2)
+    T D, left, right;
+    WHORL_INLINE Slopes(T qm, T q0, T q1, T q2)
         : D(q1 - q0), left((q1 - qm) * Real(0.5)), right((q2 - q0) * Real(0.5)) {}
 };
 
 /// A slope that leads away from D is set to 0.  [T 3.15, A.1]
-inline Real same_sign_or_zero(Real slope, Real D) {
-    return slope * D > 0 ? slope : Real(0);
+template <class T>
+WHORL_INLINE T same_sign_or_zero(T slope, T D) {
+    return select(slope * D > 0, slope, T{});
 }
 
 }  // namespace whorl

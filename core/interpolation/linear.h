@@ -1,7 +1,6 @@
 // Linear interpolation.
 #pragma once
 
-#include "core/grid/real.h"
 #include "core/interpolation/interval.h"
 #include "core/schemes/scheme.h"
 
@@ -18,7 +17,10 @@ struct Linear {
 
     /// @param q0, q1 samples i and i + 1, any unit
     /// @param t      place in the interval, 0 to 1
-    static Real at(Real q0, Real q1, Real t) { return q0 + t * (q1 - q0); }
+    template <class T>
+    static WHORL_INLINE T at(T q0, T q1, T t) {
+        return q0 + t * (q1 - q0);
+    }
 };
 
 }  // namespace whorl

@@ -24,31 +24,27 @@ std::string_view name(Isa isa);
 #define WHORL_AVX512 __attribute__((target("arch=x86-64-v4")))
 #define WHORL_INLINE __attribute__((always_inline)) inline
 #else
-#define WHORL_AVX2
-#define WHORL_AVX512
 #define WHORL_INLINE inline
 #endif
 
-/// Before a loop whose rounds do not depend on each other, so that it may be vectorised.
-#if defined(__GNUC__) && !defined(__clang__)
-#define WHORL_LANES _Pragma("GCC ivdep")
-#else
-#define WHORL_LANES
-#endif
-
-/// One function compiled for every level. `Body::run` is WHORL_INLINE and static, and takes what `Fn` takes.
+/// One function compiled for every level. `Body::run<bytes>` is WHORL_INLINE and static, takes what `Fn` takes,
+/// and works in vectors of `bytes` bytes.
 template <class Fn, class Body>
 struct PerIsa;
 
 template <class Body, class... Args>
 struct PerIsa<void (*)(Args...), Body> {
-    static void baseline(Args... args) { Body::run(args...); }
-    WHORL_AVX2 static void avx2(Args... args) { Body::run(args...); }
-    WHORL_AVX512 static void avx512(Args... args) { Body::run(args...); }
+    static void baseline(Args... args) { Body::template run<16>(args...); }
+#ifdef WHORL_HAS_ISAS
+    WHORL_AVX2 static void avx2(Args... args) { Body::template run<32>(args...); }
+    WHORL_AVX512 static void avx512(Args... args) { Body::template run<64>(args...); }
 
     static auto pick(Isa isa) -> void (*)(Args...) {
         return isa == Isa::Avx512 ? avx512 : isa == Isa::Avx2 ? avx2 : baseline;
     }
+#else
+    static auto pick(Isa) -> void (*)(Args...) { return baseline; }
+#endif
 };
 
 }  // namespace whorl

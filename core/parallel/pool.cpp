@@ -61,15 +61,15 @@ struct Pool::Shared {
     int band = 0;
     std::atomic<int> next{0};
 
-    void take_bands() {
+    void take_bands(int thread) {
         for (;;) {
             const int first = next.fetch_add(band, std::memory_order_relaxed);
             if (first >= rows) return;
-            call(work, first, std::min(first + band, rows));
+            call(work, first, std::min(first + band, rows), thread);
         }
     }
 
-    void serve() {
+    void serve(int thread) {
         flush_denormals();
         std::uint64_t seen = 0;
         for (;;) {
@@ -80,7 +80,7 @@ struct Pool::Shared {
                 if (stopping) return;
                 seen = round;
             }
-            take_bands();
+            take_bands(thread);
             const std::lock_guard lock(mutex);
             if (--working == 0) done.notify_one();
         }
@@ -89,7 +89,7 @@ struct Pool::Shared {
 
 Pool::Pool(int threads) : shared_(std::make_unique<Shared>()) {
     if (threads <= 0) threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    for (int k = 1; k < threads; ++k) shared_->threads.emplace_back([s = shared_.get()] { s->serve(); });
+    for (int k = 1; k < threads; ++k) shared_->threads.emplace_back([s = shared_.get(), k] { s->serve(k); });
 }
 
 Pool::~Pool() {
@@ -110,7 +110,7 @@ void Pool::run(int rows, Call call, void* work) {
     const int helpers = static_cast<int>(shared_->threads.size());
     const int band = std::max(min_rows_per_band, rows / ((helpers + 1) * bands_per_thread));
     if (helpers == 0 || rows <= band) {
-        call(work, 0, rows);
+        call(work, 0, rows, 0);
         return;
     }
     {
@@ -124,7 +124,7 @@ void Pool::run(int rows, Call call, void* work) {
         ++shared_->round;
     }
     shared_->wake.notify_all();
-    shared_->take_bands();
+    shared_->take_bands(0);
     watch([&] { return shared_->working.load(std::memory_order_acquire) == 0; });
     std::unique_lock lock(shared_->mutex);
     shared_->done.wait(lock, [&] { return shared_->working == 0; });

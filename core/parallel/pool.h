@@ -18,20 +18,26 @@ class Pool {
 
     int threads() const;
 
-    /// Calls `work(first, last)` on bands that cover [0, rows), and returns when all are done.
+    /// Calls `work(first, last)`, or `work(first, last, thread)` with thread in [0, threads()), on bands that
+    /// cover [0, rows), and returns when all are done.
     /// `work` must not throw, and must not call the pool.
     template <class Work>
     void bands(int rows, Work&& work) {
         run(
             rows,
-            [](void* w, int first, int last) {
-                (*static_cast<std::remove_reference_t<Work>*>(w))(first, last);
+            [](void* w, int first, int last, int thread) {
+                auto& on_band = *static_cast<std::remove_reference_t<Work>*>(w);
+                if constexpr (std::is_invocable_v<Work&, int, int, int>) {
+                    on_band(first, last, thread);
+                } else {
+                    on_band(first, last);
+                }
             },
             &work);
     }
 
   private:
-    using Call = void (*)(void*, int, int);
+    using Call = void (*)(void*, int first, int last, int thread);
     void run(int rows, Call call, void* work);
 
     struct Shared;

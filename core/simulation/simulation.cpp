@@ -142,16 +142,23 @@ void Simulation::project() {
 void Simulation::advect() {
     const Stopwatch watch(measures_.ms.advection);
     const bool solved = experiment_->flow == nullptr;
-    Group scalars;
+    // Fields that move by the same schemes move together, and share what they can.
+    std::array<Group, 3> groups;
+    auto& [scalars, u, v] = groups;
     scalars.add(state_.density, next_density_);
-    if (solved) scalars.add(state_.temperature, next_temperature_);
-    scalars_mover_.advect(scalars, state_.velocity, scene_.dt, state_.boundary, *pool_);
     if (solved) {
-        Group u, v;
+        scalars.add(state_.temperature, next_temperature_);
         u.add(state_.velocity.u, next_velocity_.u);
         v.add(state_.velocity.v, next_velocity_.v);
-        velocity_mover_.advect(u, state_.velocity, scene_.dt, state_.boundary, *pool_);
-        velocity_mover_.advect(v, state_.velocity, scene_.dt, state_.boundary, *pool_);
+    }
+    const std::size_t together =
+        !solved ? 1 : scalars_mover_.schemes() == velocity_mover_.schemes() ? groups.size() : 1;
+    const auto move = [&](Mover& mover, Groups which) {
+        mover.advect(which, state_.velocity, scene_.dt, state_.boundary, *pool_);
+    };
+    move(scalars_mover_, Groups(groups).first(together));
+    if (solved) {
+        if (together == 1) move(velocity_mover_, Groups(groups).last(2));
         std::swap(state_.velocity, next_velocity_);
         std::swap(state_.temperature, next_temperature_);
         state_.boundary.enforce(state_.velocity);

@@ -1,7 +1,7 @@
 // One Euler step back along the flow.
 #pragma once
 
-#include "core/grid/real.h"
+#include "core/tracing/point.h"
 #include "core/schemes/scheme.h"
 
 namespace whorl {
@@ -11,12 +11,12 @@ struct Euler {
     static constexpr SchemeInfo info{"euler", "Euler", "thesis eq. 3.3",
                                      "One straight step along the velocity at the point itself."};
 
-    /// @param u  velocity at a place, cells/time
+    /// @param k1 the velocity at x
     /// @param x  the point to trace back, cells
     /// @param dt step, time; negative traces forward
-    template <class Velocity>
-    static Vec2 trace(const Velocity& u, Vec2 x, Real dt) {
-        return x - dt * u(x);
+    template <class T, class Velocity>
+    static WHORL_INLINE Point<T> trace(const Velocity&, Point<T> k1, Point<T> x, Real dt) {
+        return x - dt * k1;
     }
 };
 

@@ -1,7 +1,7 @@
 // The midpoint rule along the flow.
 #pragma once
 
-#include "core/grid/real.h"
+#include "core/tracing/point.h"
 #include "core/schemes/scheme.h"
 
 namespace whorl {
@@ -12,11 +12,12 @@ struct Midpoint {
                                      "Half a step to find the velocity, then a whole step with it."};
 
     /// @param u  velocity at a place, cells/time
+    /// @param k1 the velocity at x
     /// @param x  the point to trace back, cells
     /// @param dt step, time; negative traces forward
-    template <class Velocity>
-    static Vec2 trace(const Velocity& u, Vec2 x, Real dt) {
-        return x - dt * u(x - dt / 2 * u(x));
+    template <class T, class Velocity>
+    static WHORL_INLINE Point<T> trace(const Velocity& u, Point<T> k1, Point<T> x, Real dt) {
+        return x - dt * u(x - dt / 2 * k1);
     }
 };
 

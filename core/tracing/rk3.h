@@ -1,7 +1,7 @@
 // Ralston's third-order Runge-Kutta rule along the flow.
 #pragma once
 
-#include "core/grid/real.h"
+#include "core/tracing/point.h"
 #include "core/schemes/scheme.h"
 
 namespace whorl {
@@ -13,13 +13,13 @@ struct Rk3 {
                                      "Three samples of the velocity, weighted for the least error."};
 
     /// @param u  velocity at a place, cells/time
+    /// @param k1 the velocity at x
     /// @param x  the point to trace back, cells
     /// @param dt step, time; negative traces forward
-    template <class Velocity>
-    static Vec2 trace(const Velocity& u, Vec2 x, Real dt) {
-        const Vec2 k1 = u(x);
-        const Vec2 k2 = u(x - Real(0.5) * dt * k1);
-        const Vec2 k3 = u(x - Real(0.75) * dt * k2);
+    template <class T, class Velocity>
+    static WHORL_INLINE Point<T> trace(const Velocity& u, Point<T> k1, Point<T> x, Real dt) {
+        const Point<T> k2 = u(x - Real(0.5) * dt * k1);
+        const Point<T> k3 = u(x - Real(0.75) * dt * k2);
         return x - dt / 9 * (Real(2) * k1 + Real(3) * k2 + Real(4) * k3);
     }
 };

@@ -1,7 +1,7 @@
 // The classical fourth-order Runge-Kutta rule along the flow.
 #pragma once
 
-#include "core/grid/real.h"
+#include "core/tracing/point.h"
 #include "core/schemes/scheme.h"
 
 namespace whorl {
@@ -13,14 +13,14 @@ struct Rk4 {
                                      "Four samples of the velocity; the path is as good as exact."};
 
     /// @param u  velocity at a place, cells/time
+    /// @param k1 the velocity at x
     /// @param x  the point to trace back, cells
     /// @param dt step, time; negative traces forward
-    template <class Velocity>
-    static Vec2 trace(const Velocity& u, Vec2 x, Real dt) {
-        const Vec2 k1 = u(x);
-        const Vec2 k2 = u(x - dt / 2 * k1);
-        const Vec2 k3 = u(x - dt / 2 * k2);
-        const Vec2 k4 = u(x - dt * k3);
+    template <class T, class Velocity>
+    static WHORL_INLINE Point<T> trace(const Velocity& u, Point<T> k1, Point<T> x, Real dt) {
+        const Point<T> k2 = u(x - dt / 2 * k1);
+        const Point<T> k3 = u(x - dt / 2 * k2);
+        const Point<T> k4 = u(x - dt * k3);
         return x - dt / 6 * (k1 + Real(2) * k2 + Real(2) * k3 + k4);
     }
 };

@@ -165,11 +165,14 @@ TEST(MonotoneCatmullRom, FollowsTheFiveCases) {
     const Real flat[4] = {0, 2, 2, 9};
     EXPECT_EQ(at<MonotoneCatmullRom>(flat, t), Real(2));  // C1
     const Real peaks[4] = {5, 1, 2, -9};
-    EXPECT_NEAR(at<MonotoneCatmullRom>(peaks, t), hermite(1, 1, 0, 0, t), 4 * epsilon);  // C2
+    EXPECT_NEAR(at<MonotoneCatmullRom>(peaks, t), hermite(Real(1), Real(1), Real(0), Real(0), t),
+                4 * epsilon);  // C2
     const Real left[4] = {5, 1, 2, 3};
-    EXPECT_NEAR(at<MonotoneCatmullRom>(left, t), hermite(1, 1, 0, 1, t), 4 * epsilon);  // C3
+    EXPECT_NEAR(at<MonotoneCatmullRom>(left, t), hermite(Real(1), Real(1), Real(0), Real(1), t),
+                4 * epsilon);  // C3
     const Real right[4] = {0, 1, 2, -9};
-    EXPECT_NEAR(at<MonotoneCatmullRom>(right, t), hermite(1, 1, 1, 0, t), 4 * epsilon);  // C4
+    EXPECT_NEAR(at<MonotoneCatmullRom>(right, t), hermite(Real(1), Real(1), Real(1), Real(0), t),
+                4 * epsilon);  // C4
     const Real rising[4] = {0, 1, 2, 4};
     EXPECT_NEAR(at<MonotoneCatmullRom>(rising, t), at<CatmullRom>(rising, t), 4 * epsilon);  // C5
 }
