@@ -6,6 +6,7 @@
 #include "app/cli/headless.h"
 #include "app/cli/verbs.h"
 #include "app/scenes/presets.h"
+#include "app/window/no_opengl.h"
 #include "app/window/window.h"
 #include "core/scene/error.h"
 
@@ -55,7 +56,7 @@ int main(int argc, char** argv) {
     } catch (const whorl::InputError& e) {
         std::cerr << "whorl: " << e.what() << '\n';
         return exit_bad_input;
-    } catch (const NoWindow& e) {
+    } catch (const NoOpenGl& e) {
         std::cerr << "whorl: " << e.what() << '\n';
         return exit_no_opengl;
     } catch (const std::exception& e) {

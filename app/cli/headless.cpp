@@ -43,30 +43,37 @@ void apply_settings(Scene& scene, const std::vector<std::string>& settings) {
     if (!reason.empty()) throw InputError(reason);
 }
 
-void check_outputs(const RunArguments& arguments) {
+struct PictureOutput::Canvas {
+    EglContext context;
+    PictureRenderer renderer;
+};
+
+PictureOutput::PictureOutput(const RunArguments& arguments) : arguments_(arguments) {
     view(arguments.view);
     map_of(arguments);
     range_of(arguments);
+    if (arguments.picture == "-") throw InputError("--picture takes the name of a file, not -");
     for (const std::string& file : {arguments.csv, arguments.timing, arguments.picture}) {
         if (!file.empty() && file != "-") check_writable(file);
     }
-    if (arguments.picture == "-") throw InputError("--picture takes the name of a file, not -");
+    if (!arguments.picture.empty()) canvas_ = std::make_unique<Canvas>();
 }
 
-void write_picture(const Lane& lane, Pool& pool, const RunArguments& arguments) {
+PictureOutput::~PictureOutput() = default;
+
+void PictureOutput::write(const Lane& lane, Pool& pool) {
+    if (!canvas_) return;
     Snapshot snapshot;
     take_snapshot(lane, pool, snapshot);
-    EglContext context;
-    PictureRenderer renderer;
-    const std::optional<Range> range = range_of(arguments);
-    const PictureStyle style{.view = &view(arguments.view),
-                             .map = map_of(arguments),
+    const std::optional<Range> range = range_of(arguments_);
+    const PictureStyle style{.view = &view(arguments_.view),
+                             .map = map_of(arguments_),
                              .range = range ? &*range : nullptr,
-                             .crisp = arguments.crisp,
-                             .light = arguments.light,
-                             .width = arguments.width};
-    write_png(arguments.picture, picture_of(snapshot, style, renderer));
-    say_written("picture", arguments.picture);
+                             .crisp = arguments_.crisp,
+                             .light = arguments_.light,
+                             .width = arguments_.width};
+    write_png(arguments_.picture, picture_of(snapshot, style, canvas_->renderer));
+    say_written("picture", arguments_.picture);
 }
 
 void say_written(const std::string& what, const std::string& file) {

@@ -1,9 +1,9 @@
 // The window: opens, runs until it is closed.
 #pragma once
 
-#include <stdexcept>
 #include <string>
 
+#include "app/window/no_opengl.h"
 #include "core/scene/scene.h"
 
 namespace whorl::app {
@@ -18,8 +18,8 @@ struct WindowOptions {
 };
 
 /// There is no display, or it gives no OpenGL 3.3.
-struct NoWindow : std::runtime_error {
-    using std::runtime_error::runtime_error;
+struct NoWindow : NoOpenGl {
+    using NoOpenGl::NoOpenGl;
 };
 
 /// Shows the sandbox until it is closed.

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <mutex>
 #include <thread>
 #include <vector>
 
 #ifdef __SSE2__
-#include <pmmintrin.h>
+#include <immintrin.h>
 #endif
 
 namespace whorl {
@@ -18,6 +19,23 @@ namespace {
 constexpr int bands_per_thread = 4;
 /// Below this a band is not worth waking a thread for.
 constexpr int min_rows_per_band = 4;
+/// How long a thread watches for the next loop before it sleeps. Waking takes 20 to 50 µs, longer than most
+/// loops over a grid; a solver starts the next one within a few.
+constexpr auto patience = std::chrono::microseconds(20);
+
+/// Watches until `ready()` holds or patience ends.
+template <class Ready>
+void watch(Ready&& ready) {
+    const auto end = std::chrono::steady_clock::now() + patience;
+    do {
+        for (int k = 0; k < 32; ++k) {
+            if (ready()) return;
+#ifdef __SSE2__
+            _mm_pause();
+#endif
+        }
+    } while (std::chrono::steady_clock::now() < end);
+}
 
 }  // namespace
 
@@ -34,8 +52,8 @@ struct Pool::Shared {
     std::condition_variable done;
     std::vector<std::thread> threads;
     bool stopping = false;
-    std::uint64_t round = 0;  ///< counts calls of run; a thread works once a round
-    int working = 0;
+    std::atomic<std::uint64_t> round{0};  ///< counts calls of run; a thread works once a round
+    std::atomic<int> working{0};
 
     Call call = nullptr;
     void* work = nullptr;
@@ -54,14 +72,16 @@ struct Pool::Shared {
     void serve() {
         flush_denormals();
         std::uint64_t seen = 0;
-        std::unique_lock lock(mutex);
         for (;;) {
-            wake.wait(lock, [&] { return stopping || round != seen; });
-            if (stopping) return;
-            seen = round;
-            lock.unlock();
+            watch([&] { return round.load(std::memory_order_acquire) != seen; });
+            {
+                std::unique_lock lock(mutex);
+                wake.wait(lock, [&] { return stopping || round != seen; });
+                if (stopping) return;
+                seen = round;
+            }
             take_bands();
-            lock.lock();
+            const std::lock_guard lock(mutex);
             if (--working == 0) done.notify_one();
         }
     }
@@ -105,6 +125,7 @@ void Pool::run(int rows, Call call, void* work) {
     }
     shared_->wake.notify_all();
     shared_->take_bands();
+    watch([&] { return shared_->working.load(std::memory_order_acquire) == 0; });
     std::unique_lock lock(shared_->mutex);
     shared_->done.wait(lock, [&] { return shared_->working == 0; });
 }

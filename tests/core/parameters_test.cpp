@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/experiments/experiment.h"
 #include "core/scene/error.h"
 
 namespace whorl {
@@ -94,6 +95,12 @@ TEST(Scene, RefusesChoicesThatDoNotGoTogether) {
     EXPECT_EQ(reason({"advector=semi-lagrangian", "base=aslam", "interpolation=bicubic"}), "")
         << "a base that is not in use";
     EXPECT_EQ(reason({"advector=aslam", "stencil=subsampling", "zeta=0"}), "") << "plain semi-Lagrangian";
+    Scene walled = scene_of(experiment("plume"));
+    set_parameter(walled, "pressure=diagonalization");
+    EXPECT_EQ(conflict(walled), "");
+    walled.obstacles = {{.x = 20, .y = 20, .radius = 4}};
+    EXPECT_NE(conflict(walled).find("diagonalization is not offered here"), std::string::npos)
+        << conflict(walled);
     EXPECT_NE(reason({"scalars.advector=aslam-0", "scalars.interpolation=bridson"}).find("for the scalars"),
               std::string::npos);
 }

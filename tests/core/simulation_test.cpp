@@ -150,7 +150,8 @@ TEST(Experiments, AreAllRunnableAndNamed) {
     EXPECT_THROW(experiment("rotaton"), InputError);
 }
 
-/// Zalesak's disk comes back after one turn: the better the less the scheme dissipates, and the finer the grid.
+/// Zalesak's disk comes back after one turn: the better the less the scheme dissipates, and the finer the
+/// grid.
 TEST(Experiments, ZalesakTurnsOnce) {
     const auto error = [](const char* advector, const char* resolution) {
         Pool pool(2);
