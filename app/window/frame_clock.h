@@ -12,14 +12,15 @@ class FrameClock {
 
     FrameClock() : origin_(Clock::now()), due_(origin_), start_(origin_), end_of_work_(origin_) {}
 
-    /// Sleeps until the next frame is due. A late frame is not made up for.
+    /// Sleeps until the next frame is due. A frame that was a little late is made up for by the next ones;
+    /// more than a frame is not.
     void wait() {
         end_of_work_ = Clock::now();
         due_ += period;
         const Clock::time_point now = Clock::now();
         if (due_ > now) {
             std::this_thread::sleep_until(due_);
-        } else {
+        } else if (now - due_ > period) {
             due_ = now;
         }
         const Clock::time_point start = Clock::now();

@@ -42,7 +42,7 @@ void begin_panel(const char* name, const Layout& layout, const Column& column, c
 std::unique_ptr<Player> make_player(const WindowOptions& options) {
     return std::async(std::launch::async,
                       [&] {
-                          constexpr int niceness = 5;
+                          constexpr int niceness = 10;
                           setpriority(PRIO_PROCESS, 0, niceness);
                           return std::make_unique<Player>(options.scene, options.threads);
                       })
