@@ -57,8 +57,8 @@ struct GatherLoop {
             const T reference = load<T>(at_node + k);
             T total = load<T>(sum + k);
             for (const Share& share : shares) {
-                const Real to_x = -share.particle.offset.x;  // x_i − x_s, cells
-                const Real to_y = -share.particle.offset.y;
+                const Real to_x = -share.particle->offset.x;  // x_i − x_s, cells
+                const Real to_y = -share.particle->offset.y;
                 const Real* from = share.values + k;
                 T value = load<T>(from);
                 if constexpr (expansion != Expansion::Value) {
@@ -67,7 +67,7 @@ struct GatherLoop {
                 if constexpr (expansion == Expansion::CrossTerm) {
                     value += load<T>(from + 3 * stride) * to_x * to_y;
                 }
-                total += share.particle.weight * (value - reference);
+                total += share.particle->weight * (value - reference);
             }
             store(total, sum + k);
         }

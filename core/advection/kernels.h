@@ -8,8 +8,9 @@
 
 namespace whorl {
 
-/// A run of `count` nodes (i … i + count − 1, j) of a field. Loops work in whole vectors: what they write for
-/// the nodes after the last one, up to the next multiple of 64 bytes, has no meaning.
+/// A run of `count` nodes (i … i + count − 1, j) of a field; at most `size` where Values are filled. Loops work
+/// in whole vectors: what they write for the nodes after the last one, up to the next multiple of 64 bytes, has
+/// no meaning.
 struct Run {
     static constexpr int size = 64;
     int i;
@@ -62,7 +63,7 @@ struct Carried {
 /// What one particle gives to each node of a run: where it is carried, and which particle it is.
 struct Share {
     const Real* values;
-    Particle particle;
+    const Particle* particle;
 };
 
 /// Traces the points at `start` (cells) from each node of a run back through the flow.

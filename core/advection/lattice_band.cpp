@@ -59,7 +59,7 @@ class Band {
     struct Source {
         int row;
         std::ptrdiff_t offset;
-        Particle particle;
+        const Particle* particle;
     };
 
     static Site site(const Group& group) { return group.shape().site(); }
@@ -90,7 +90,7 @@ class Band {
                 const int x = p.x - m * cell;
                 sources_[g][k] = {p.y - lowest_,
                                   tile_.point(x) + row * LatticeTile::stride + cell - reach(p.y, x).low,
-                                  p.particle};
+                                  &p.particle};
             }
             row += groups_[g].count * Carried::rows;
         }
@@ -112,14 +112,12 @@ class Band {
         for (int x = 0; x < m; ++x) {
             const Reach& wanted = reach(y, x);
             if (wanted.groups == 0) continue;
-            const int end = end_cell_ + wanted.high;
-            for (int i = first_cell_ + wanted.low; i < end; i += Run::size) {
-                trace_run({i, j, std::min(Run::size, end - i)}, y, x, wanted.groups);
-            }
+            const int i = first_cell_ + wanted.low;
+            trace_points({i, j, end_cell_ + wanted.high - i}, y, x, wanted.groups);
         }
     }
 
-    void trace_run(Run run, int y, int x, unsigned wanted) {
+    void trace_points(Run run, int y, int x, unsigned wanted) {
         constexpr auto stride = LatticeTile::stride;
         Real* to = at(y, x, run.i);
         step_.kernels.trace({step_.velocity, Site::Centre}, run,

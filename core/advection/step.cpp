@@ -51,7 +51,7 @@ void Step::plain_run(const Group& group, Run run, Real direction, const Stepped&
         kernels.trace({velocity, site}, run, particle.offset, direction * dt, d.x, d.y);
         kernels.carry(group.sources(), site, run, d.x, d.y, {carried, Run::size});
         for (int f = 0; f < group.count; ++f) {
-            const Share share{carried + f * Carried::rows * Run::size, particle};
+            const Share share{carried + f * Carried::rows * Run::size, &particle};
             kernels.gather({&share, 1}, Run::size, run.count, out.first_order[f], sum[f]);
         }
     }
