@@ -18,6 +18,15 @@ namespace {
 constexpr int bands_per_thread = 4;
 /// Below this a band is not worth waking a thread for.
 constexpr int min_rows_per_band = 4;
+/// Some ten microseconds: longer than the gaps inside a step, too short to be missed by who else needs the
+/// core.
+constexpr int spins_before_sleep = 1000;
+
+void relax() {
+#ifdef __SSE2__
+    _mm_pause();
+#endif
+}
 
 }  // namespace
 
@@ -34,8 +43,10 @@ struct Pool::Shared {
     std::condition_variable done;
     std::vector<std::thread> threads;
     bool stopping = false;
-    std::uint64_t round = 0;  ///< counts calls of run; a thread works once a round
-    int working = 0;
+    bool open = false;                    ///< whether threads may still join the round
+    std::atomic<std::uint64_t> round{0};  ///< counts calls of run; a thread joins each at most once
+    std::atomic<int> working{0};          ///< threads that have joined and are not done
+    int spins = 0;
 
     Call call = nullptr;
     void* work = nullptr;
@@ -51,24 +62,38 @@ struct Pool::Shared {
         }
     }
 
+    /// Looks for a moment, without the lock, whether something has come true: waking a thread takes longer
+    /// than most pauses between two rounds of a step.
+    template <class Condition>
+    void spin_until(Condition&& holds) const {
+        for (int k = 0; k < spins && !holds(); ++k) relax();
+    }
+
     void serve(int thread) {
         flush_denormals();
         std::uint64_t seen = 0;
         std::unique_lock lock(mutex);
         for (;;) {
-            wake.wait(lock, [&] { return stopping || round != seen; });
+            lock.unlock();
+            spin_until([&] { return round.load(std::memory_order_relaxed) != seen; });
+            lock.lock();
+            wake.wait(lock, [&] { return stopping || round.load(std::memory_order_relaxed) != seen; });
             if (stopping) return;
-            seen = round;
+            seen = round.load(std::memory_order_relaxed);
+            if (!open) continue;  // too late: the others have done it all
+            working.fetch_add(1, std::memory_order_relaxed);
             lock.unlock();
             take_bands(thread);
             lock.lock();
-            if (--working == 0) done.notify_one();
+            if (working.fetch_sub(1, std::memory_order_relaxed) == 1) done.notify_one();
         }
     }
 };
 
 Pool::Pool(int threads) : shared_(std::make_unique<Shared>()) {
     if (threads <= 0) threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    const bool a_core_each = threads <= static_cast<int>(std::thread::hardware_concurrency());
+    shared_->spins = a_core_each ? spins_before_sleep : 0;
     for (int k = 1; k < threads; ++k) shared_->threads.emplace_back([s = shared_.get(), k] { s->serve(k); });
 }
 
@@ -100,13 +125,19 @@ void Pool::run(int rows, Call call, void* work) {
         shared_->rows = rows;
         shared_->band = band;
         shared_->next.store(0, std::memory_order_relaxed);
-        shared_->working = helpers;
-        ++shared_->round;
+        shared_->open = true;
+        shared_->round.fetch_add(1, std::memory_order_relaxed);
     }
     shared_->wake.notify_all();
     shared_->take_bands(0);
+    const auto all_done = [&] { return shared_->working.load(std::memory_order_relaxed) == 0; };
+    {
+        const std::lock_guard lock(shared_->mutex);
+        shared_->open = false;  // whoever has not joined yet need not be waited for
+    }
+    shared_->spin_until(all_done);
     std::unique_lock lock(shared_->mutex);
-    shared_->done.wait(lock, [&] { return shared_->working == 0; });
+    shared_->done.wait(lock, all_done);
 }
 
 }  // namespace whorl
