@@ -1,13 +1,32 @@
 // Arguments -> window or command line.
+#include <cstdio>
 #include <iostream>
 
 #include "app/cli/exit_code.h"
+#include "app/cli/headless.h"
 #include "app/cli/verbs.h"
+#include "app/scenes/presets.h"
+#include "app/window/no_opengl.h"
+#include "app/window/window.h"
 #include "core/scene/error.h"
 
 namespace {
 
 using namespace whorl::app;
+
+int open_window(const WindowArguments& a) {
+    WindowOptions options;
+    options.scene = find_scene(a.scene);
+    apply_settings(options.scene, a.set);
+    options.name = a.scene;
+    options.threads = a.threads;
+    options.content_scale = a.content_scale;
+    options.trace = a.trace;
+    if (!a.size.empty() && std::sscanf(a.size.c_str(), "%dx%d", &options.width, &options.height) != 2) {
+        throw whorl::InputError("--size " + a.size + ": give WIDTHxHEIGHT, such as 1600x1000");
+    }
+    return run_window(options);
+}
 
 int act(const Arguments& arguments) {
     return std::visit(
@@ -23,7 +42,7 @@ int act(const Arguments& arguments) {
             } else if constexpr (std::is_same_v<A, ListArguments>) {
                 return run_list(a);
             } else {
-                return 0;
+                return open_window(a);
             }
         },
         arguments);
@@ -37,6 +56,9 @@ int main(int argc, char** argv) {
     } catch (const whorl::InputError& e) {
         std::cerr << "whorl: " << e.what() << '\n';
         return exit_bad_input;
+    } catch (const NoOpenGl& e) {
+        std::cerr << "whorl: " << e.what() << '\n';
+        return exit_no_opengl;
     } catch (const std::exception& e) {
         std::cerr << "whorl: " << e.what() << '\n';
         return exit_failed;

@@ -1,9 +1,12 @@
 #include "app/cli/arguments.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
 #include <iostream>
 
 #include "app/cli/exit_code.h"
+#include "core/scene/error.h"
 
 namespace whorl::app {
 namespace {
@@ -38,8 +41,30 @@ void add_outputs(CLI::App& verb, RunArguments& run) {
     verb.add_option("--picture", run.picture, "draw the last step as a PNG")->type_name("FILE.png");
     verb.add_option("--view", run.view, "what the picture shows")->type_name("VIEW");
     verb.add_option("--map", run.map, "colours of the picture")->type_name("MAP");
+    verb.add_option("--range", run.range, "values at the ends of the colours; else all that occur")
+        ->type_name("LO,HI");
+    verb.add_option("--width", run.width, "pixels across the field")
+        ->type_name("N")
+        ->check(CLI::Range(100, 8000));
     verb.add_flag("--light", run.light, "dark on white, for paper");
     verb.add_flag("--crisp", run.crisp, "cells as squares of one colour");
+}
+
+/// "40,80,160" as numbers.  @throws InputError
+std::vector<int> whole_numbers(const std::string& option, const std::string& text) {
+    std::vector<int> numbers;
+    const char* at = text.data();
+    const char* const end = at + text.size();
+    for (;;) {
+        int number = 0;
+        const auto [next, error] = std::from_chars(at, end, number);
+        if (error != std::errc{} || number < 0 || (next != end && *next != ',')) {
+            throw InputError(option + " = \"" + text + "\" is not a list of whole numbers, as 600,1200");
+        }
+        numbers.push_back(number);
+        if (next == end) return numbers;
+        at = next + 1;
+    }
 }
 
 }  // namespace
@@ -71,14 +96,13 @@ Arguments parse_arguments(int argc, char** argv) {
     add_threads(*run_verb, run.threads);
 
     ExperimentArguments experiment;
+    std::string at;
     CLI::App* experiment_verb = app.add_subcommand("experiment", "run a test and measure its errors");
     experiment_verb->add_option("name", experiment.scene, "`whorl list experiments` shows them")
         ->type_name("NAME")
         ->required();
-    experiment_verb->add_option("--at", experiment.at, "steps to report; the last one ends the run")
-        ->type_name("STEP,STEP...")
-        ->delimiter(',')
-        ->expected(1);
+    experiment_verb->add_option("--at", at, "steps to report; the last one ends the run")
+        ->type_name("STEP,STEP...");
     experiment_verb->add_option("--steps", experiment.steps, "how many steps; else the experiment's own")
         ->type_name("N");
     add_set(*experiment_verb, experiment.set);
@@ -86,17 +110,15 @@ Arguments parse_arguments(int argc, char** argv) {
     add_threads(*experiment_verb, experiment.threads);
 
     ConvergeArguments converge;
+    std::string resolutions = "40,80,160";
     CLI::App* converge_verb =
         app.add_subcommand("converge", "errors and rates under refinement, as the thesis' table 5.2");
     converge_verb->add_option("experiment", converge.experiment, "an experiment with an exact solution")
         ->type_name("NAME")
         ->required();
     converge_verb
-        ->add_option("--resolutions", converge.resolutions,
-                     "cells along the width, each a multiple of the last")
-        ->type_name("N,N...")
-        ->delimiter(',')
-        ->expected(1);
+        ->add_option("--resolutions", resolutions, "cells along the width, each a multiple of the last")
+        ->type_name("N,N...");
     add_set(*converge_verb, converge.set);
     add_threads(*converge_verb, converge.threads);
 
@@ -110,12 +132,20 @@ Arguments parse_arguments(int argc, char** argv) {
     } catch (const CLI::Success& e) {
         return app.exit(e);
     } catch (const CLI::ParseError& e) {
-        std::cerr << "whorl: " << e.what() << "; whorl --help shows what is\n";
+        std::string reason = e.what();
+        std::replace(reason.begin(), reason.end(), '\n', ' ');
+        std::cerr << "whorl: " << reason << "; see whorl --help\n";
         return exit_bad_input;
     }
     if (run_verb->parsed()) return run;
-    if (experiment_verb->parsed()) return experiment;
-    if (converge_verb->parsed()) return converge;
+    if (experiment_verb->parsed()) {
+        if (!at.empty()) experiment.at = whole_numbers("--at", at);
+        return experiment;
+    }
+    if (converge_verb->parsed()) {
+        converge.resolutions = whole_numbers("--resolutions", resolutions);
+        return converge;
+    }
     if (list_verb->parsed()) return list;
     return window;
 }

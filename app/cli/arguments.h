@@ -26,7 +26,8 @@ struct RunArguments {
     std::optional<int> steps;
     std::vector<int> at;
     std::string csv, picture, timing;  ///< files; empty for none, `-` for standard output
-    std::string view = "density", map;
+    std::string view = "density", map, range;
+    int width = 900;
     bool light = false, crisp = false;
     int threads = 0;
 };
@@ -35,7 +36,7 @@ struct RunArguments {
 struct ConvergeArguments {
     std::string experiment;
     std::vector<std::string> set;
-    std::vector<int> resolutions{40, 80, 160};
+    std::vector<int> resolutions;
     int threads = 0;
 };
 
@@ -50,6 +51,7 @@ struct ExperimentArguments : RunArguments {};
 using Arguments =
     std::variant<int, WindowArguments, RunArguments, ExperimentArguments, ConvergeArguments, ListArguments>;
 
+/// @throws InputError for a list that is not one
 Arguments parse_arguments(int argc, char** argv);
 
 }  // namespace whorl::app

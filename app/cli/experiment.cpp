@@ -30,7 +30,7 @@ int run_experiment(const ExperimentArguments& arguments) {
     if (steps < 0 || std::any_of(at.begin(), at.end(), [](int step) { return step < 0; })) {
         throw InputError("a step is a whole number, 0 or more");
     }
-    check_outputs(arguments);
+    PictureOutput picture(arguments);
 
     Pool pool(arguments.threads);
     Lane lane(scene, pool);
@@ -48,7 +48,7 @@ int run_experiment(const ExperimentArguments& arguments) {
         }
     }
     if (csv) csv->finish();
-    if (!arguments.picture.empty()) write_picture(lane, pool, arguments);
+    picture.write(lane, pool);
     return 0;
 }
 

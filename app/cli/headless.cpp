@@ -1,6 +1,8 @@
 #include "app/cli/headless.h"
 
+#include <charconv>
 #include <cstdio>
+#include <optional>
 
 #include "app/views/views.h"
 #include "app/window/egl_context.h"
@@ -20,6 +22,19 @@ const ColourMap* map_of(const RunArguments& arguments) {
     throw InputError("unknown map \"" + arguments.map + "\"; " + suggestion(arguments.map, keys));
 }
 
+/// "0,0.5" as a range.
+std::optional<Range> range_of(const RunArguments& arguments) {
+    if (arguments.range.empty()) return std::nullopt;
+    const char* const end = arguments.range.data() + arguments.range.size();
+    Range range{};
+    const auto [comma, low_error] = std::from_chars(arguments.range.data(), end, range.lo);
+    if (low_error == std::errc{} && comma != end && *comma == ',') {
+        const auto [last, high_error] = std::from_chars(comma + 1, end, range.hi);
+        if (high_error == std::errc{} && last == end && range.lo < range.hi) return range;
+    }
+    throw InputError("--range = \"" + arguments.range + "\" is not two rising numbers, as 0,0.5");
+}
+
 }  // namespace
 
 void apply_settings(Scene& scene, const std::vector<std::string>& settings) {
@@ -28,26 +43,37 @@ void apply_settings(Scene& scene, const std::vector<std::string>& settings) {
     if (!reason.empty()) throw InputError(reason);
 }
 
-void check_outputs(const RunArguments& arguments) {
+struct PictureOutput::Canvas {
+    EglContext context;
+    PictureRenderer renderer;
+};
+
+PictureOutput::PictureOutput(const RunArguments& arguments) : arguments_(arguments) {
     view(arguments.view);
     map_of(arguments);
+    range_of(arguments);
+    if (arguments.picture == "-") throw InputError("--picture takes the name of a file, not -");
     for (const std::string& file : {arguments.csv, arguments.timing, arguments.picture}) {
         if (!file.empty() && file != "-") check_writable(file);
     }
-    if (arguments.picture == "-") throw InputError("--picture takes the name of a file, not -");
+    if (!arguments.picture.empty()) canvas_ = std::make_unique<Canvas>();
 }
 
-void write_picture(const Lane& lane, Pool& pool, const RunArguments& arguments) {
+PictureOutput::~PictureOutput() = default;
+
+void PictureOutput::write(const Lane& lane, Pool& pool) {
+    if (!canvas_) return;
     Snapshot snapshot;
     take_snapshot(lane, pool, snapshot);
-    EglContext context;
-    PictureRenderer renderer;
-    const PictureStyle style{.view = &view(arguments.view),
-                             .map = map_of(arguments),
-                             .crisp = arguments.crisp,
-                             .light = arguments.light};
-    write_png(arguments.picture, picture_of(snapshot, style, renderer));
-    say_written("picture", arguments.picture);
+    const std::optional<Range> range = range_of(arguments_);
+    const PictureStyle style{.view = &view(arguments_.view),
+                             .map = map_of(arguments_),
+                             .range = range ? &*range : nullptr,
+                             .crisp = arguments_.crisp,
+                             .light = arguments_.light,
+                             .width = arguments_.width};
+    write_png(arguments_.picture, picture_of(snapshot, style, canvas_->renderer));
+    say_written("picture", arguments_.picture);
 }
 
 void say_written(const std::string& what, const std::string& file) {

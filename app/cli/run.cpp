@@ -21,27 +21,42 @@ void write_row(Series& csv, const Measures& m) {
     csv.row(row);
 }
 
-double median(std::vector<double> values) {
-    if (values.empty()) return 0;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
-void write_timing(const std::string& file, const std::vector<PhaseTimes>& times) {
-    constexpr std::pair<const char*, double PhaseTimes::*> phases[] = {
-        {"forces", &PhaseTimes::forces},
-        {"projection", &PhaseTimes::projection},
-        {"advection", &PhaseTimes::advection},
-        {"total", &PhaseTimes::total}};
-    Series series(file, "phase,median_ms");
-    for (const auto& [name, member] : phases) {
-        std::vector<double> values;
-        for (const PhaseTimes& t : times) values.push_back(t.*member);
-        series.row(name, median(std::move(values)));
+/// Medians over the steps of a run, row by row.
+class Timing {
+  public:
+    explicit Timing(int steps) { steps_.reserve(static_cast<std::size_t>(steps)); }
+    void add(const Measures& m) { steps_.push_back({m.ms, m.pressure}); }
+    void write(const std::string& file) const {
+        Series series(file, "phase,median_ms");
+        series.row("forces", median([](const Step& s) { return s.ms.forces; }));
+        series.row("projection", median([](const Step& s) { return s.ms.projection; }));
+        series.row("advection", median([](const Step& s) { return s.ms.advection; }));
+        series.row("total", median([](const Step& s) { return s.ms.total; }));
+        // Within the projection; the last two are no times.
+        series.row("pressure_setup", median([](const Step& s) { return s.pressure.setup_ms; }));
+        series.row("pressure_solve", median([](const Step& s) { return s.pressure.solve_ms; }));
+        series.row("pressure_iterations", median([](const Step& s) { return s.pressure.iterations; }));
+        series.row("pressure_residual", median([](const Step& s) { return s.pressure.residual; }));
+        series.finish();
     }
-    series.finish();
-}
+
+  private:
+    struct Step {
+        PhaseTimes ms;
+        SolveReport pressure;
+    };
+    template <class Figure>
+    double median(Figure&& figure) const {
+        if (steps_.empty()) return 0;
+        std::vector<double> values;
+        values.reserve(steps_.size());
+        for (const Step& step : steps_) values.push_back(figure(step));
+        const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+        std::nth_element(values.begin(), middle, values.end());
+        return *middle;
+    }
+    std::vector<Step> steps_;
+};
 
 }  // namespace
 
@@ -50,7 +65,7 @@ int run_scene(const RunArguments& arguments) {
     apply_settings(scene, arguments.set);
     const int steps = arguments.steps.value_or(scene.steps);
     if (steps < 0) throw InputError("--steps = " + std::to_string(steps) + " is out of range: 0 or more");
-    check_outputs(arguments);
+    PictureOutput picture(arguments);
 
     Pool pool(arguments.threads);
     Lane lane(scene, pool);
@@ -59,21 +74,20 @@ int run_scene(const RunArguments& arguments) {
         csv.emplace(arguments.csv,
                     "step,time,density_percent,kinetic_energy,enstrophy,max_divergence,min,max");
     }
-    std::vector<PhaseTimes> times;
-    times.reserve(static_cast<std::size_t>(steps));
+    Timing timing(steps);
     {
         Progress progress(arguments.scene, steps);
         for (int step = 0; step < steps; ++step) {
             if (!lane.step()) throw NotFinite(*lane.failure());
             const Measures& m = lane.simulation().measures();
-            times.push_back(m.ms);
+            timing.add(m);
             if (csv) write_row(*csv, m);
             progress.at(step + 1);
         }
     }
     if (csv) csv->finish();
-    if (!arguments.timing.empty()) write_timing(arguments.timing, times);
-    if (!arguments.picture.empty()) write_picture(lane, pool, arguments);
+    if (!arguments.timing.empty()) timing.write(arguments.timing);
+    picture.write(lane, pool);
     if (arguments.csv.empty() && arguments.timing.empty()) {
         const Measures& m = lane.simulation().measures();
         std::printf(

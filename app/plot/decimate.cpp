@@ -13,7 +13,8 @@ void decimate(std::span<const float> y, int columns, bool positive, std::vector<
     const auto wide = static_cast<std::size_t>(std::max(columns, 1));
     // Whole samples a column: columns then stay where they are while a series grows.
     const std::size_t group = (n + wide - 1) / wide;
-    const float floor = positive ? std::numeric_limits<float>::denorm_min() : -FLT_MAX;
+    // Not the least denormal: where denormals are flushed, as beside a solver, 0 is not below that.
+    const float floor = positive ? FLT_MIN : -FLT_MAX;
     const auto gap = [&](std::size_t k) { out.push_back({k, std::numeric_limits<float>::quiet_NaN()}); };
 
     for (std::size_t start = 0; start < n; start += group) {

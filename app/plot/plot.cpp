@@ -100,7 +100,7 @@ void draw_axes(ImDrawList& list, const Theme& theme, const Frame& frame, const T
 }
 
 void draw_curve(ImDrawList& list, const Theme& theme, const Frame& frame, const Abscissa& abscissa,
-                const std::vector<CurvePoint>& curve, ImU32 colour, std::vector<ImVec2>& points) {
+                const std::vector<CurvePoint>& curve, ImU32 colour, bool dots, std::vector<ImVec2>& points) {
     // ImGui draws whole widths from a texture, several times faster than others.
     const float thickness = std::max(1.0f, theme.px(1.5f));
     const auto flush = [&] {
@@ -113,9 +113,19 @@ void draw_curve(ImDrawList& list, const Theme& theme, const Frame& frame, const 
             list.AddRectFilled({left, std::min(a.y, b.y)}, {left + thickness, std::max(a.y, b.y)}, colour);
         }
         if (points.size() == 1) list.AddCircleFilled(points.front(), thickness, colour, 8);
-        if (points.size() > 1) {
+        // Joints of a polyline thin out where it turns sharply, which shows where samples lie far apart.
+        const bool sparse = points.size() > 1 && points.back().x - points.front().x >
+                                                     4.0f * thickness * static_cast<float>(points.size());
+        if (sparse) {
+            for (std::size_t k = 1; k < points.size(); ++k) {
+                list.AddLine(points[k - 1], points[k], colour, thickness);
+            }
+        } else if (points.size() > 1) {
             list.AddPolyline(points.data(), static_cast<int>(points.size()), colour, ImDrawFlags_None,
                              thickness);
+        }
+        for (std::size_t k = 0; dots && sparse && k < points.size(); ++k) {
+            list.AddCircleFilled(points[k], theme.px(2.5f), colour, 10);
         }
         points.clear();
     };
@@ -235,7 +245,7 @@ std::optional<double> draw_plot(const Theme& theme, const Plot& plot, std::span<
                           {frame.high.x + reach, frame.high.y + reach}, true);
         std::vector<ImVec2> points;
         for (std::size_t k = series.size(); k-- > 0;) {
-            draw_curve(list, theme, frame, abscissa, curves[k], series[k].colour, points);
+            draw_curve(list, theme, frame, abscissa, curves[k], series[k].colour, series[k].dots, points);
         }
         list.PopClipRect();
 

@@ -16,6 +16,7 @@ struct Series {
     std::string_view label;
     ImU32 colour;
     std::span<const float> y;
+    bool dots = false;  ///< marks the samples too, where they lie apart
 };
 
 /// An interval of an axis.

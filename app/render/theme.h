@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <array>
+#include <cmath>
 
 namespace whorl::app {
 
@@ -39,7 +40,7 @@ struct Theme {
     Palette palette;
 
     /// Points to framebuffer pixels, whole ones.
-    float px(float points) const { return static_cast<float>(static_cast<int>(points * scale + 0.5f)); }
+    float px(float points) const { return std::round(points * scale); }
 };
 
 /// Replaces the fonts and the style of the current ImGui context. A font file that is not installed is

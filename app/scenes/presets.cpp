@@ -1,5 +1,6 @@
 #include "app/scenes/presets.h"
 
+#include <algorithm>
 #include <vector>
 
 #include "core/experiments/experiment.h"
@@ -33,7 +34,7 @@ Scene find_scene(std::string_view name) {
     }
     for (const Experiment& e : experiments()) {
         if (e.info.key == name) return scene_of(e);
-        keys.push_back(e.info.key);
+        if (std::find(keys.begin(), keys.end(), e.info.key) == keys.end()) keys.push_back(e.info.key);
     }
     throw InputError("unknown preset \"" + std::string(name) + "\"; " + suggestion(name, keys));
 }

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <vector>
 
+#include "app/plot/ticks.h"
 #include "core/scene/error.h"
 #include "core/schemes/suggest.h"
 
@@ -44,12 +44,6 @@ constexpr View table[] = {
      about_zero},
 };
 
-std::string figure(double value) {
-    char buffer[32];
-    std::snprintf(buffer, sizeof buffer, "%.4g", value);
-    return buffer;
-}
-
 }  // namespace
 
 std::span<const View> views() {
@@ -65,13 +59,13 @@ const View& view(std::string_view key) {
     throw InputError("unknown view \"" + std::string(key) + "\"; " + suggestion(key, keys));
 }
 
-Range View::automatic_range(const Snapshot& snapshot, const Field& field) const {
+Range View::automatic_range(const Snapshot& snapshot, const Field& values) const {
     const float centre = middle ? middle(snapshot) : 0;
     float largest = 0;
-    for (int j = 0; j < field.height(); ++j) {
-        for (int i = 0; i < field.width(); ++i) {
-            if (snapshot.solids[static_cast<std::size_t>(j) * field.width() + i] != 0) continue;
-            const float value = static_cast<float>(field(i, j));
+    for (int j = 0; j < values.height(); ++j) {
+        for (int i = 0; i < values.width(); ++i) {
+            if (snapshot.solids[static_cast<std::size_t>(j) * values.width() + i] != 0) continue;
+            const float value = static_cast<float>(values(i, j));
             largest = std::max(largest, middle ? std::abs(value - centre) : value);
         }
     }

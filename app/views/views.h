@@ -28,7 +28,7 @@ struct View {
     float (*middle)(const Snapshot&);
 
     /// The range that shows all of the field's fluid cells: from 0, or symmetric about the middle.
-    Range automatic_range(const Snapshot& snapshot, const Field& field) const;
+    Range automatic_range(const Snapshot& snapshot, const Field& values) const;
 };
 
 /// All views; the first is the default.

@@ -9,11 +9,13 @@
 #include <string>
 #include <string_view>
 
+#include "app/window/no_opengl.h"
+
 namespace whorl::app {
 namespace {
 
 [[noreturn]] void fail(std::string_view what) {
-    throw std::runtime_error("no OpenGL 3.3 without a display: " + std::string(what));
+    throw NoOpenGl("no OpenGL 3.3 without a display: " + std::string(what));
 }
 
 bool has_extension(const char* list, std::string_view name) {

@@ -8,7 +8,7 @@ namespace whorl::app {
 /// they would share EGL's display, which the first to go closes.
 class EglContext {
   public:
-    /// @throws std::runtime_error with one line that says what is missing if the machine gives no OpenGL 3.3.
+    /// @throws NoOpenGl if the machine gives no OpenGL 3.3.
     EglContext();
     ~EglContext();
     EglContext(const EglContext&) = delete;

@@ -10,15 +10,11 @@ double annulus(double r) {
 }
 
 void write_annulus(const Grid& grid, WorldPoint centre, Field& q) {
-    const auto apart = [](double a, double b, double period) { return std::remainder(a - b, period); };
-    for (int j = 0; j < q.height(); ++j) {
-        for (int i = 0; i < q.width(); ++i) {
-            const WorldPoint at = world(q, grid, i, j);
-            const double dx = apart(at.x, centre.x, grid.width());
-            const double dy = grid.dimensions() == 1 ? 0 : apart(at.y, centre.y, grid.height());
-            q(i, j) = static_cast<Real>(annulus(std::hypot(dx, dy)));
-        }
-    }
+    write_samples(q, grid, [&](WorldPoint at) {
+        const double dx = std::remainder(at.x - centre.x, grid.width());
+        const double dy = grid.dimensions() == 1 ? 0 : std::remainder(at.y - centre.y, grid.height());
+        return annulus(std::hypot(dx, dy));
+    });
 }
 
 void thesis_test(Scene& scene) {

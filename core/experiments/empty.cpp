@@ -5,7 +5,7 @@ namespace whorl {
 
 Experiment empty() {
     return {.info = {"empty", "Empty box", "", "Still, clear air in a closed box: paint with the mouse."},
-            .setup = [](Scene& s) { s.beta = 0.15; },
+            .setup = [](Scene& s) { s.beta = 0.35; },
             .start = nullptr,
             .flow = nullptr,
             .exact = nullptr,

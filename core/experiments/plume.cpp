@@ -12,7 +12,7 @@ Experiment plume() {
             .setup =
                 [](Scene& s) {
                     s.alpha = 0.5;
-                    s.beta = 0.15;
+                    s.beta = 0.35;
                     s.steps = 1200;
                     s.emitters = {{.x = 20,
                                    .y = 1,

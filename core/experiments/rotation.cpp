@@ -15,22 +15,14 @@ constexpr WorldPoint centre{20, 30};
 void flow(double time, const Grid& grid, FaceVelocity& velocity) {
     constexpr double pi = std::numbers::pi;
     const double phase = 2 * std::cos(pi * time / period);
-    for (int j = 0; j < velocity.u.height(); ++j) {
-        for (int i = 0; i < velocity.u.width(); ++i) {
-            const auto [x, y] = world(velocity.u, grid, i, j);
-            const double sx = std::sin(pi * x / grid.width());
-            velocity.u(i, j) = static_cast<Real>(phase * sx * sx * std::sin(pi * y / grid.height()) *
-                                                 std::cos(pi * y / grid.height()));
-        }
-    }
-    for (int j = 0; j < velocity.v.height(); ++j) {
-        for (int i = 0; i < velocity.v.width(); ++i) {
-            const auto [x, y] = world(velocity.v, grid, i, j);
-            const double sy = std::sin(pi * y / grid.height());
-            velocity.v(i, j) = static_cast<Real>(-phase * std::sin(pi * x / grid.width()) *
-                                                 std::cos(pi * x / grid.width()) * sy * sy);
-        }
-    }
+    write_samples(velocity.u, grid, [&](WorldPoint at) {
+        const double x = pi * at.x / grid.width(), y = pi * at.y / grid.height();
+        return phase * std::sin(x) * std::sin(x) * std::sin(y) * std::cos(y);
+    });
+    write_samples(velocity.v, grid, [&](WorldPoint at) {
+        const double x = pi * at.x / grid.width(), y = pi * at.y / grid.height();
+        return -phase * std::sin(x) * std::cos(x) * std::sin(y) * std::sin(y);
+    });
 }
 
 /// Known only when the flow has turned back: to half a step.

@@ -18,25 +18,13 @@ double layers(double y) {
 
 void start(State& state) {
     const Grid& grid = state.grid();
-    FaceVelocity& velocity = state.velocity;
-    for (int j = 0; j < velocity.u.height(); ++j) {
-        for (int i = 0; i < velocity.u.width(); ++i) {
-            velocity.u(i, j) =
-                static_cast<Real>(speed * layers(world(velocity.u, grid, i, j).y / grid.height()));
-        }
-    }
-    for (int j = 0; j < velocity.v.height(); ++j) {
-        for (int i = 0; i < velocity.v.width(); ++i) {
-            const double x = world(velocity.v, grid, i, j).x / grid.width();
-            velocity.v(i, j) = static_cast<Real>(speed * kick * std::sin(2 * std::numbers::pi * x));
-        }
-    }
-    for (int j = 0; j < grid.ny; ++j) {
-        for (int i = 0; i < grid.nx; ++i) {
-            const double y = world(state.density, grid, i, j).y / grid.height();
-            state.density(i, j) = static_cast<Real>(0.5 + 0.5 * layers(y));
-        }
-    }
+    write_samples(state.velocity.u, grid,
+                  [&](WorldPoint at) { return speed * layers(at.y / grid.height()); });
+    write_samples(state.velocity.v, grid, [&](WorldPoint at) {
+        return speed * kick * std::sin(2 * std::numbers::pi * at.x / grid.width());
+    });
+    write_samples(state.density, grid,
+                  [&](WorldPoint at) { return 0.5 + 0.5 * layers(at.y / grid.height()); });
 }
 
 }  // namespace

@@ -9,38 +9,29 @@ namespace {
 
 constexpr double speed = 4;  // length/time
 
-/// The stream function ψ = sin(kx) sin(ky), scaled to 0 … 1: constant along the flow, so that smoke laid out
-/// as ψ does not change either.
-double smoke(WorldPoint at, const Grid& grid) {
-    constexpr double two_pi = 2 * std::numbers::pi;
-    return 0.5 + 0.5 * std::sin(two_pi * at.x / grid.width()) * std::sin(two_pi * at.y / grid.height());
+constexpr double two_pi = 2 * std::numbers::pi;
+
+/// The stream function ψ = sin(kx) sin(ky), −1 to 1.
+double psi(WorldPoint at, const Grid& grid) {
+    return std::sin(two_pi * at.x / grid.width()) * std::sin(two_pi * at.y / grid.height());
 }
 
+/// ψ scaled to 0 … 1: constant along the flow, so that smoke laid out as ψ does not change either.
 void write_smoke(const Grid& grid, Field& q) {
-    for (int j = 0; j < q.height(); ++j) {
-        for (int i = 0; i < q.width(); ++i) q(i, j) = static_cast<Real>(smoke(world(q, grid, i, j), grid));
-    }
+    write_samples(q, grid, [&](WorldPoint at) { return 0.5 + 0.5 * psi(at, grid); });
 }
 
 /// u = ∂ψ/∂y, v = −∂ψ/∂x as differences of ψ at the corners, which are free of divergence to rounding.
 void start(State& state) {
     const Grid& grid = state.grid();
-    constexpr double two_pi = 2 * std::numbers::pi;
-    const double amplitude = speed * grid.height() / two_pi;
-    const auto psi = [&](int i, int j) {
-        return amplitude * std::sin(two_pi * i / grid.nx) * std::sin(two_pi * j / grid.ny);
-    };
-    FaceVelocity& velocity = state.velocity;
-    for (int j = 0; j < velocity.u.height(); ++j) {
-        for (int i = 0; i < velocity.u.width(); ++i) {
-            velocity.u(i, j) = static_cast<Real>((psi(i, j + 1) - psi(i, j)) / grid.h);
-        }
-    }
-    for (int j = 0; j < velocity.v.height(); ++j) {
-        for (int i = 0; i < velocity.v.width(); ++i) {
-            velocity.v(i, j) = static_cast<Real>(-(psi(i + 1, j) - psi(i, j)) / grid.h);
-        }
-    }
+    const double half = grid.h / 2;
+    const double scale = speed * grid.height() / two_pi / grid.h;
+    write_samples(state.velocity.u, grid, [&](WorldPoint at) {
+        return scale * (psi({at.x, at.y + half}, grid) - psi({at.x, at.y - half}, grid));
+    });
+    write_samples(state.velocity.v, grid, [&](WorldPoint at) {
+        return -scale * (psi({at.x + half, at.y}, grid) - psi({at.x - half, at.y}, grid));
+    });
     write_smoke(grid, state.density);
 }
 

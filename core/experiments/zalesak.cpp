@@ -16,29 +16,17 @@ constexpr WorldPoint centre{20, 30};
 
 void flow(double, const Grid& grid, FaceVelocity& velocity) {
     constexpr double omega = 2 * std::numbers::pi / turn;
-    for (int j = 0; j < velocity.u.height(); ++j) {
-        for (int i = 0; i < velocity.u.width(); ++i) {
-            velocity.u(i, j) =
-                static_cast<Real>(-omega * (world(velocity.u, grid, i, j).y - grid.height() / 2));
-        }
-    }
-    for (int j = 0; j < velocity.v.height(); ++j) {
-        for (int i = 0; i < velocity.v.width(); ++i) {
-            velocity.v(i, j) =
-                static_cast<Real>(omega * (world(velocity.v, grid, i, j).x - grid.width() / 2));
-        }
-    }
+    write_samples(velocity.u, grid, [&](WorldPoint at) { return -omega * (at.y - grid.height() / 2); });
+    write_samples(velocity.v, grid, [&](WorldPoint at) { return omega * (at.x - grid.width() / 2); });
 }
 
 void write_disk(const Grid& grid, Field& q) {
-    for (int j = 0; j < q.height(); ++j) {
-        for (int i = 0; i < q.width(); ++i) {
-            const auto [x, y] = world(q, grid, i, j);
-            const bool disk = std::hypot(x - centre.x, y - centre.y) < radius;
-            const bool slot = std::abs(x - centre.x) < slot_width / 2 && y < centre.y + slot_top_above_centre;
-            q(i, j) = disk && !slot ? Real(1) : Real(0);
-        }
-    }
+    write_samples(q, grid, [](WorldPoint at) {
+        const bool disk = std::hypot(at.x - centre.x, at.y - centre.y) < radius;
+        const bool slot =
+            std::abs(at.x - centre.x) < slot_width / 2 && at.y < centre.y + slot_top_above_centre;
+        return disk && !slot ? 1.0 : 0.0;
+    });
 }
 
 bool exact(double time, double dt, const Grid& grid, Field& q) {

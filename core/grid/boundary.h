@@ -1,6 +1,7 @@
 // What bounds the fluid: the domain's sides and the solid cells, and the ghost values that carry their rules.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -84,7 +85,7 @@ class Boundary {
     int solids_ = 0;
     int revision_ = 0;
     std::vector<std::uint8_t> mask_;
-    SolidRule rules_[3];
+    std::array<SolidRule, 3> rules_;
 };
 
 }  // namespace whorl

@@ -14,7 +14,7 @@ namespace {
 std::string figure(double value) {
     if (!std::isfinite(value)) return {};
     char buffer[40];
-    std::snprintf(buffer, sizeof buffer, "%.9g", value);
+    std::snprintf(buffer, sizeof buffer, "%.9g", value + 0.0);  // + 0.0: no "-0"
     return buffer;
 }
 
@@ -49,10 +49,7 @@ void Series::put(std::string_view line) {
 
 void Series::row(std::span<const double> values) {
     std::string line;
-    for (const double value : values) {
-        if (!line.empty() || &value != values.data()) line += ',';
-        line += figure(value);
-    }
+    for (std::size_t k = 0; k < values.size(); ++k) line += (k > 0 ? "," : "") + figure(values[k]);
     put(line);
 }
 

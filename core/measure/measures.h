@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/parallel/pool.h"
+#include "core/pressure/solver.h"
 #include "core/scene/state.h"
 
 namespace whorl {
@@ -32,8 +33,8 @@ struct Measures {
     double cfl = 0;  ///< |u|max Δt / h
     Errors errors;
     PhaseTimes ms;
-    int pressure_iterations = 0;
-    double pressure_residual = 0;
+    std::string_view pressure_why_not;  ///< why another pressure solver than the chosen one acted, or empty
+    SolveReport pressure;     ///< of the last projection; its solver's key is empty if there was none
     double removed_mean = 0;  ///< divergence taken out of a closed component, 1/time
 };
 

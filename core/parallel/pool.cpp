@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <mutex>
 #include <thread>
 #include <vector>
 
 #ifdef __SSE2__
-#include <pmmintrin.h>
+#include <immintrin.h>
 #endif
 
 namespace whorl {
@@ -18,14 +19,22 @@ namespace {
 constexpr int bands_per_thread = 4;
 /// Below this a band is not worth waking a thread for.
 constexpr int min_rows_per_band = 4;
-/// Some ten microseconds: longer than the gaps inside a step, too short to be missed by who else needs the
-/// core.
-constexpr int spins_before_sleep = 1000;
+/// How long a thread watches for the next loop before it sleeps. Waking takes 20 to 50 µs, longer than most
+/// loops over a grid; a solver starts the next one within a few.
+constexpr auto patience = std::chrono::microseconds(20);
 
-void relax() {
+/// Watches until `ready()` holds or patience ends.
+template <class Ready>
+void watch(Ready&& ready) {
+    const auto end = std::chrono::steady_clock::now() + patience;
+    do {
+        for (int k = 0; k < 32; ++k) {
+            if (ready()) return;
 #ifdef __SSE2__
-    _mm_pause();
+            _mm_pause();
 #endif
+        }
+    } while (std::chrono::steady_clock::now() < end);
 }
 
 }  // namespace
@@ -46,7 +55,6 @@ struct Pool::Shared {
     bool open = false;                    ///< whether threads may still join the round
     std::atomic<std::uint64_t> round{0};  ///< counts calls of run; a thread joins each at most once
     std::atomic<int> working{0};          ///< threads that have joined and are not done
-    int spins = 0;
 
     Call call = nullptr;
     void* work = nullptr;
@@ -62,20 +70,13 @@ struct Pool::Shared {
         }
     }
 
-    /// Looks for a moment, without the lock, whether something has come true: waking a thread takes longer
-    /// than most pauses between two rounds of a step.
-    template <class Condition>
-    void spin_until(Condition&& holds) const {
-        for (int k = 0; k < spins && !holds(); ++k) relax();
-    }
-
     void serve(int thread) {
         flush_denormals();
         std::uint64_t seen = 0;
         std::unique_lock lock(mutex);
         for (;;) {
             lock.unlock();
-            spin_until([&] { return round.load(std::memory_order_relaxed) != seen; });
+            watch([&] { return round.load(std::memory_order_relaxed) != seen; });
             lock.lock();
             wake.wait(lock, [&] { return stopping || round.load(std::memory_order_relaxed) != seen; });
             if (stopping) return;
@@ -92,8 +93,6 @@ struct Pool::Shared {
 
 Pool::Pool(int threads) : shared_(std::make_unique<Shared>()) {
     if (threads <= 0) threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    const bool a_core_each = threads <= static_cast<int>(std::thread::hardware_concurrency());
-    shared_->spins = a_core_each ? spins_before_sleep : 0;
     for (int k = 1; k < threads; ++k) shared_->threads.emplace_back([s = shared_.get(), k] { s->serve(k); });
 }
 
@@ -135,7 +134,7 @@ void Pool::run(int rows, Call call, void* work) {
         const std::lock_guard lock(shared_->mutex);
         shared_->open = false;  // whoever has not joined yet need not be waited for
     }
-    shared_->spin_until(all_done);
+    watch(all_done);
     std::unique_lock lock(shared_->mutex);
     shared_->done.wait(lock, all_done);
 }

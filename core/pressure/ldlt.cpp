@@ -1,29 +1,29 @@
 #include "core/pressure/ldlt.h"
 
 #include <Eigen/SparseCholesky>
-#include <chrono>
 #include <stdexcept>
 
 #include "core/pressure/components.h"
-#include "core/pressure/residual.h"
+#include "core/pressure/poisson.h"
+#include "core/pressure/stopwatch.h"
 
 namespace whorl {
 
 struct Ldlt::Factor {
-    Boundary boundary;
+    Poisson poisson;
     Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::AMDOrdering<int>> ldlt;
-    std::vector<int> row_of_cell;  ///< −1 for solid and pinned cells
-    Eigen::VectorXd right, solution;
+    std::vector<int> row_of_cell;  ///< in the factor's order; −1 for solid and pinned cells
+    Eigen::VectorXd solution;
     double setup_ms = 0;
 };
 
 Ldlt::Ldlt() = default;
 Ldlt::~Ldlt() = default;
 
-void Ldlt::prepare(const Boundary& boundary, Pool&) {
-    const auto start = std::chrono::steady_clock::now();
+void Ldlt::prepare(const Boundary& boundary, Pool& pool) {
+    const Stopwatch watch;
     factor_ = std::make_unique<Factor>();
-    factor_->boundary = boundary;
+    factor_->poisson.prepare(boundary, pool);
     const int nx = boundary.grid().nx;
     const int ny = boundary.grid().ny;
     const Components components(boundary);
@@ -33,7 +33,7 @@ void Ldlt::prepare(const Boundary& boundary, Pool&) {
     std::vector<bool> pinned(components.count(), false);
     int rows = 0;
     for (int c = 0; c < nx * ny; ++c) {
-        const int label = components.labels()[c];
+        const int label = components.label(c);
         if (label < 0) continue;
         if (!pinned[label]) {
             pinned[label] = true;
@@ -60,31 +60,41 @@ void Ldlt::prepare(const Boundary& boundary, Pool&) {
     }
     Eigen::SparseMatrix<double> matrix(rows, rows);
     matrix.setFromTriplets(entries.begin(), entries.end());
-    factor_->right.setZero(rows);
     factor_->solution.setZero(rows);
     if (rows > 0) {
         factor_->ldlt.compute(matrix);
         if (factor_->ldlt.info() != Eigen::Success)
             throw std::runtime_error("the pressure matrix has no LDLT factor");
+        const auto& order = factor_->ldlt.permutationP().indices();
+        for (int& r : row) r = r >= 0 && order.size() > 0 ? order[r] : r;
     }
-    factor_->setup_ms =
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    factor_->setup_ms = watch.ms();
 }
 
-SolveReport Ldlt::solve(std::span<const double> b, std::span<double> p, Pool&) {
-    const auto start = std::chrono::steady_clock::now();
+std::size_t Ldlt::factor_entries() const {
+    if (factor_->solution.size() == 0) return 0;
+    return static_cast<std::size_t>(factor_->ldlt.matrixL().nestedExpression().nonZeros());
+}
+
+SolveReport Ldlt::solve(std::span<const double> b, double, std::span<double> p, Pool& pool) {
+    const Stopwatch watch;
     Factor& f = *factor_;
+    // In the factor's own order, in place: Eigen's solve() would allocate to permute.
     for (std::size_t c = 0; c < b.size(); ++c) {
-        if (f.row_of_cell[c] >= 0) f.right[f.row_of_cell[c]] = b[c];
+        if (f.row_of_cell[c] >= 0) f.solution[f.row_of_cell[c]] = b[c];
     }
-    if (f.right.size() > 0) f.solution = f.ldlt.solve(f.right);
+    if (f.solution.size() > 0) {
+        f.ldlt.matrixL().solveInPlace(f.solution);
+        f.solution.array() /= f.ldlt.vectorD().array();
+        f.ldlt.matrixU().solveInPlace(f.solution);
+    }
     for (std::size_t c = 0; c < p.size(); ++c)
         p[c] = f.row_of_cell[c] >= 0 ? f.solution[f.row_of_cell[c]] : 0;
     SolveReport report;
+    report.solver = info.key;
     report.setup_ms = f.setup_ms;
-    report.solve_ms =
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-    report.residual = relative_residual(f.boundary, b, p);
+    report.solve_ms = watch.ms();
+    report.residual = relative_residual(f.poisson, b, p, pool);
     return report;
 }
 

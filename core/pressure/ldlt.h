@@ -16,7 +16,10 @@ class Ldlt : public PressureSolver {
     Ldlt();
     ~Ldlt() override;
     void prepare(const Boundary& boundary, Pool& pool) override;
-    SolveReport solve(std::span<const double> b, std::span<double> p, Pool& pool) override;
+    SolveReport solve(std::span<const double> b, double enough, std::span<double> p, Pool& pool) override;
+
+    /// Non-zeros of the factor L below its diagonal; each takes 12 bytes.
+    std::size_t factor_entries() const;
 
   private:
     struct Factor;

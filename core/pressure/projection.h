@@ -2,16 +2,19 @@
 #pragma once
 
 #include <memory>
+#include <string_view>
 #include <vector>
 
 #include "core/pressure/components.h"
-#include "core/pressure/solver.h"
+#include "core/pressure/solver_keeper.h"
 
 namespace whorl {
 
 /// What one projection did.
 struct ProjectionReport {
     SolveReport solve;
+    std::string_view solver;       ///< key of the solver that acted
+    std::string_view why_not;      ///< why the chosen one did not; empty if it did
     double divergence_before = 0;  ///< max |∇·u*|, 1/time
     double divergence_after = 0;   ///< max |∇·u|, 1/time
     double largest_speed = 0;      ///< max over faces of |u|, |v| after, length/time
@@ -20,9 +23,16 @@ struct ProjectionReport {
 
 /// Projection: ∇·(∇p) = (ρ₀/Δt) ∇·u*, u = u* − (Δt/ρ₀) ∇p, ρ₀ = 1.  [T 2.17b; F 48–59, with the factor Δt
 /// that F 54–56 lose]
+///
+/// A mean divergence of a component, which no pressure removes, stays: an emitter in a wall, a source.
+/// Allocates when the boundary changes, else nothing. The last pressure is where an iteration starts, so that
+/// a projection depends on those before it.
 class Projection {
   public:
     /// Chooses the solver by its index in pressure_solvers(); it is prepared at the next projection.
+    /// @param tolerance bound of |∇·u| h / |u|max after, and of the residual over the right side's largest
+    /// value;
+    ///                  direct solvers do better whatever it is
     void set_solver(std::size_t index, double tolerance);
 
     /// @param velocity u* on entry, ghosts any; u on return, ghosts filled, normal velocity 0 on closed faces
@@ -32,22 +42,20 @@ class Projection {
                              Pool& pool);
 
   private:
-    std::size_t index_ = 0;
-    double tolerance_ = 0;
-    std::unique_ptr<PressureSolver> solver_;
-    Components components_;
-    Grid prepared_grid_;
-    bool prepared_periodic_ = false;
-    std::vector<std::uint8_t> prepared_solids_;
-    std::vector<double> right_, p_;
-};
+    void look_at(const Boundary& boundary, Pool& pool);
+    double set_right(const FaceVelocity& velocity, double scale, Pool& pool);
+    void correct(FaceVelocity& velocity, double factor, Pool& pool) const;
+    double largest_outflow(const FaceVelocity& velocity, Pool& pool);
+    double largest_speed(const FaceVelocity& velocity, Pool& pool);
+    double largest_of_rows(int rows) const;
 
-/// ∇·u of cell (i, j), 1/time.  [F 50]
-/// @param velocity ghosts filled
-inline double divergence(const FaceVelocity& velocity, int i, int j, double h) {
-    return (static_cast<double>(velocity.u(i + 1, j)) - static_cast<double>(velocity.u(i, j)) +
-            static_cast<double>(velocity.v(i, j + 1)) - static_cast<double>(velocity.v(i, j))) /
-           h;
-}
+    double tolerance_ = 0;
+    SolverKeeper keeper_;
+    Components components_;
+    Grid grid_;
+    bool periodic_ = false;
+    std::vector<std::uint8_t> solids_;
+    std::vector<double> right_, p_, row_largest_;
+};
 
 }  // namespace whorl

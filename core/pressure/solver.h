@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <span>
+#include <string_view>
 
 #include "core/grid/boundary.h"
 #include "core/parallel/pool.h"
@@ -12,9 +13,10 @@ namespace whorl {
 
 /// What a solve cost and how well it went.
 struct SolveReport {
-    int iterations = 0;   ///< 0 for a direct solver
-    double residual = 0;  ///< max |b − A p| over max |b|
-    double setup_ms = 0;  ///< of the last preparation
+    std::string_view solver;  ///< key of the solver that acted; `auto` names the one it picked
+    int iterations = 0;       ///< 0 for a direct solver
+    double residual = 0;      ///< max |b − A p| over max |b|, 0 if b is 0
+    double setup_ms = 0;      ///< of the last preparation
     double solve_ms = 0;
 };
 
@@ -24,20 +26,28 @@ class PressureSolver {
   public:
     virtual ~PressureSolver() = default;
 
-    /// Looks at the domain; may take long, and allocates all that solving needs.
+    /// Looks at the domain, keeping nothing of the last one's; may take long, and allocates all that solving
+    /// needs.
     virtual void prepare(const Boundary& boundary, Pool& pool) = 0;
 
-    /// @param b nx × ny, row by row, 0 in solid cells, of mean 0 over each component
-    /// @param p nx × ny, the last solution on entry, the new one on return; any constant may be added to it
-    /// on a
-    ///          component
-    virtual SolveReport solve(std::span<const double> b, std::span<double> p, Pool& pool) = 0;
+    /// @param b      nx × ny, row by row, 0 in solid cells, of mean 0 over each component
+    /// @param enough the largest |b − A p| at which an iteration may stop, in b's unit; direct solvers go to
+    ///               rounding whatever it is
+    /// @param p      nx × ny, 0 in solid cells; a guess on entry, the solution on return, to each component
+    /// of
+    ///               which any constant may have been added
+    /// Allocates nothing; the result does not depend on the number of threads.
+    virtual SolveReport solve(std::span<const double> b, double enough, std::span<double> p, Pool& pool) = 0;
 };
 
-/// A solver by name, and how to make one.
+/// A solver by name, how to make one, and where it is of use.
 struct PressureSolverEntry {
     SchemeInfo info;
-    std::unique_ptr<PressureSolver> (*create)(double tolerance);
+    std::unique_ptr<PressureSolver> (*create)();
+    /// Why it is not offered for a boundary; empty where it is.
+    std::string_view (*refuses)(const Boundary& boundary);
+    /// Whether preparing takes many times longer than solving, so that it must wait while walls are painted.
+    bool slow_to_prepare;
 };
 
 /// All pressure solvers; the first one is the default.

@@ -108,8 +108,6 @@ void add_domain(Table& t) {
                           {1, 1000, 10, 100}, [](Scene& s) -> double& { return s.height; }));
     t.push_back(choice_row<Sides>({"sides", "Sides", "", "What closes the domain.", ""}, Group::Domain,
                                   [](Scene& s) -> Sides::Id& { return s.sides; }));
-    t.push_back(value_row({"seed", "Seed", "", "Seed of the jittered stencil.", ""}, Group::Particles,
-                          {0, 1e9, 0, 100}, [](Scene& s) -> std::uint64_t& { return s.seed; }));
 }
 
 void add_time(Table& t) {
@@ -188,6 +186,8 @@ void add_schemes(Table& t) {
             {"stencil", "Stencil", "", "Where the particles of a node start.", "thesis table 4.1, fig. 4.2"},
             Group::Particles, [set](Scene & s) -> auto& { return set(s).stencil; });
     });
+    t.push_back(value_row({"seed", "Seed", "", "Seed of the jittered stencil.", ""}, Group::Particles,
+                          {0, 1e9, 0, 100}, [](Scene& s) -> std::uint64_t& { return s.seed; }));
 }
 
 void add_forces(Table& t) {
@@ -200,8 +200,9 @@ void add_forces(Table& t) {
     t.push_back(
         value_row({"ambient", "T ambient", "degrees", "Temperature of still air.", "Fedkiw et al. eq. 4"},
                   Group::Forces, {-1000, 1000, -50, 50}, [](Scene& s) -> double& { return s.ambient; }));
-    t.push_back(value_row({"confinement", "ε  vorticity confinement", "",
-                           "Feeds small vortices back what dissipation took.", "Fedkiw et al. eq. 11-13"},
+    t.push_back(value_row({"confinement", "ε  confinement", "",
+                           "Vorticity confinement: feeds small vortices back what dissipation took.",
+                           "Fedkiw et al. eq. 11-13"},
                           Group::Forces, {0, 1000, 0, 5}, [](Scene& s) -> double& { return s.confinement; }));
 }
 

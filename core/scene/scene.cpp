@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/pressure/solver.h"
+#include "core/scene/state.h"
+
 namespace whorl {
 namespace {
 
@@ -32,7 +35,14 @@ Grid Scene::grid() const {
 
 std::string conflict(const Scene& scene) {
     const std::string velocity = conflict_of(scene.velocity, "velocity", scene);
-    return velocity.empty() ? conflict_of(scene.scalars, "scalars", scene) : velocity;
+    if (!velocity.empty()) return velocity;
+    const std::string scalars = conflict_of(scene.scalars, "scalars", scene);
+    if (!scalars.empty() || scene.obstacles.empty()) return scalars;
+    const PressureSolverEntry& solver = pressure_solvers()[scene.pressure];
+    const std::string_view reason = solver.refuses(boundary_of(scene));
+    if (reason.empty()) return {};
+    return std::string(solver.info.key) + " is not offered here: " + std::string(reason) +
+           "; set pressure=auto";
 }
 
 }  // namespace whorl

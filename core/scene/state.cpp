@@ -37,16 +37,20 @@ State still_air(const Scene& scene) {
 }
 
 void resample_field(const Field& from, const Boundary& boundary, Field& to, const Grid& grid) {
-    for (int j = 0; j < to.height(); ++j) {
-        for (int i = 0; i < to.width(); ++i) to(i, j) = value_at(from, boundary, world(to, grid, i, j));
-    }
+    write_samples(to, grid, [&](WorldPoint at) { return value_at(from, boundary, at); });
 }
 
 }  // namespace
 
+Boundary boundary_of(const Scene& scene) {
+    Boundary boundary(scene.grid(), scene.sides);
+    if (!scene.obstacles.empty()) boundary.set_solids(solids_of(scene, boundary.grid()));
+    return boundary;
+}
+
 State make_state(const Scene& scene) {
     State state = still_air(scene);
-    state.boundary.set_solids(solids_of(scene, state.grid()));
+    state.boundary = boundary_of(scene);
     state.boundary.enforce(state.velocity);
     state.fill_ghosts();
     return state;

@@ -24,6 +24,9 @@ struct State {
     }
 };
 
+/// The sides and solid cells that a scene sets.
+Boundary boundary_of(const Scene& scene);
+
 /// Still air of the scene's ambient temperature in its domain, with its obstacles.
 State make_state(const Scene& scene);
 
@@ -40,6 +43,15 @@ struct WorldPoint {
 };
 inline WorldPoint world(const Field& field, const Grid& grid, int i, int j) {
     return {(i + offset_x(field.site())) * grid.h, (j + offset_y(field.site())) * grid.h};
+}
+
+/// Sets every sample of a field to `value(point)`, the point in length units.
+template <class Value>
+void write_samples(Field& field, const Grid& grid, const Value& value) {
+    for (int j = 0; j < field.height(); ++j) {
+        for (int i = 0; i < field.width(); ++i)
+            field(i, j) = static_cast<Real>(value(world(field, grid, i, j)));
+    }
 }
 
 /// The bilinear value of a field at a point in length units; outside the domain the nearest one.

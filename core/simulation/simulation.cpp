@@ -133,8 +133,9 @@ void Simulation::project() {
     measures_.divergence_after = report.divergence_after;
     measures_.relative_divergence =
         report.largest_speed > 0 ? report.divergence_after * state_.grid().h / report.largest_speed : 0;
-    measures_.pressure_iterations = report.solve.iterations;
-    measures_.pressure_residual = report.solve.residual;
+    measures_.pressure = report.solve;
+    measures_.pressure.solver = report.solver;
+    measures_.pressure_why_not = report.why_not;
     measures_.removed_mean = report.removed_mean;
 }
 

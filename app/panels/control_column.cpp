@@ -1,0 +1,55 @@
+#include "app/panels/control_column.h"
+
+#include <imgui.h>
+
+#include <cstdio>
+
+#include "app/panels/widgets.h"
+#include "app/plot/ticks.h"
+
+namespace whorl::app {
+namespace {
+
+void state_lines(PanelContext& context) {
+    const Snapshot& s = context.snapshot();
+    const Palette& palette = context.theme.palette;
+    ImGui::PushFont(context.theme.title);
+    ImGui::TextUnformatted("Whorl");
+    ImGui::PopFont();
+    char line[96];
+    if (s.grid.dimensions() == 1) {
+        std::snprintf(line, sizeof line, "%d cells  ·  step %ld  ·  t = %.2f", s.grid.nx, s.measures.step,
+                      s.measures.time);
+    } else {
+        std::snprintf(line, sizeof line, "%d × %d  ·  step %ld  ·  t = %.2f", s.grid.nx, s.grid.ny,
+                      s.measures.step, s.measures.time);
+    }
+    text(palette.text_dim, line);
+    std::snprintf(line, sizeof line, "%.0f frames/s  ·  %.0f steps/s", context.frames.frames_per_second(),
+                  context.remote.steps_per_second());
+    text(palette.text_dim, line);
+    ImGui::Separator();
+    ImGui::Dummy({0, context.theme.px(1)});
+}
+
+}  // namespace
+
+void draw_control_column(PanelContext& context) {
+    state_lines(context);
+    ImGui::BeginChild("panels", {0, 0}, false, ImGuiWindowFlags_None);
+    bool first = true;
+    for (const Panel& panel : panels()) {
+        // What every run needs comes without a heading.
+        const bool open = first || heading(context.theme, panel.title, panel.open);
+        context.trace.control("panel=" + std::string(panel.title));
+        first = false;
+        if (open) {
+            ImGui::PushID(panel.title);
+            panel.draw(context);
+            ImGui::PopID();
+        }
+    }
+    ImGui::EndChild();
+}
+
+}  // namespace whorl::app

@@ -1,0 +1,62 @@
+#include "app/panels/help_overlay.h"
+
+#include <imgui.h>
+
+#include "app/panels/widgets.h"
+
+namespace whorl::app {
+namespace {
+
+struct Row {
+    const char* key;
+    const char* what;
+};
+
+constexpr Row mouse[] = {
+    {"Drag", "inject smoke and heat, and pull the fluid along"},
+    {"Right-drag", "push the fluid only"},
+    {"Shift-drag", "paint an obstacle"},
+    {"Ctrl-drag", "erase obstacles"},
+    {"Wheel", "radius of the brush"},
+    {"Rest on a control", "what it does, and where it comes from"},
+    {"Ctrl+click a slider", "type a value"},
+};
+constexpr Row keys[] = {
+    {"Space", "play, pause"},  {".", "one step"},  {"R", "reset"},        {"1 – 9", "presets"},
+    {"F12", "picture as PNG"}, {"H", "this help"}, {"Esc", "close this"}, {"Q, Ctrl+Q", "quit"},
+};
+
+void rows(const Theme& theme, const char* title, std::span<const Row> table) {
+    ImGui::PushFont(theme.bold);
+    ImGui::TextUnformatted(title);
+    ImGui::PopFont();
+    const float left = ImGui::GetCursorPosX();
+    for (const Row& row : table) {
+        text(theme.palette.accent, row.key);
+        ImGui::SameLine(left + theme.px(150));
+        ImGui::TextUnformatted(row.what);
+    }
+}
+
+}  // namespace
+
+void draw_help_overlay(PanelContext& context) {
+    if (!context.view.help) return;
+    const Theme& theme = context.theme;
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    ImGui::GetBackgroundDrawList();
+    ImGui::SetNextWindowPos({0.5f * screen.x, 0.5f * screen.y}, ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::SetNextWindowFocus();
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(theme.px(26), theme.px(20)));
+    ImGui::Begin("help", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove);
+    rows(theme, "Mouse, over the field", mouse);
+    ImGui::Dummy({0, theme.px(6)});
+    rows(theme, "Keys", keys);
+    ImGui::End();
+    ImGui::PopStyleVar();
+    if (ImGui::IsMouseClicked(0)) context.view.help = false;
+}
+
+}  // namespace whorl::app

@@ -1,0 +1,34 @@
+// Help that appears when the pointer rests on a control.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "app/render/theme.h"
+
+namespace whorl::app {
+
+/// What the help says. Empty parts are left out.
+struct HelpText {
+    std::string_view title;
+    std::string_view text;
+    std::string_view detail;   ///< dim: unit, range, key
+    std::string_view source;   ///< where it comes from
+    std::string_view warning;  ///< why the control does not apply
+};
+
+/// Waits until the pointer has rested on one thing for a moment.
+class HoverHelp {
+  public:
+    /// Call right after the item. @param key  tells items apart
+    void item(const Theme& theme, std::string_view key, const HelpText& help);
+    /// Call once a frame, after everything.
+    void end_frame();
+
+  private:
+    std::string resting_on_;
+    double since_ = 0;
+    bool seen_ = false;
+};
+
+}  // namespace whorl::app

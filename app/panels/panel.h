@@ -1,0 +1,54 @@
+// What a panel is, and the one table of them.
+#pragma once
+
+#include <span>
+
+#include "app/panels/frame_log.h"
+#include "app/panels/history.h"
+#include "app/panels/hover_help.h"
+#include "app/panels/remote.h"
+#include "app/panels/slabs.h"
+#include "app/panels/view_state.h"
+#include "app/render/theme.h"
+#include "app/window/trace.h"
+
+namespace whorl::app {
+
+/// What a panel sees and where it asks: it reads the run, changes the view, and sends commands.
+struct PanelContext {
+    const Theme& theme;
+    Remote& remote;  ///< the run: its newest snapshot, the scene as chosen, and what to ask of it
+    ViewState& view;
+    const History& history;
+    const FrameLog& frames;
+    const Field* field;  ///< what the chosen view shows of the snapshot
+    HoverHelp& help;
+    Trace& trace;
+    Slabs& slabs;
+
+    const Snapshot& snapshot() const { return remote.snapshot(); }
+    const Scene& scene() const { return remote.scene(); }
+};
+
+/// A titled group of controls in the left column.
+struct Panel {
+    const char* title;
+    void (*draw)(PanelContext&);
+    bool open = true;  ///< at the start
+};
+
+/// All panels, from top to bottom.
+std::span<const Panel> panels();
+
+// One file each.
+void draw_run_panel(PanelContext&);
+void draw_schemes_panel(PanelContext&);
+void draw_particles_panel(PanelContext&);
+void draw_view_panel(PanelContext&);
+void draw_forces_panel(PanelContext&);
+void draw_brush_panel(PanelContext&);
+void draw_time_panel(PanelContext&);
+void draw_pressure_panel(PanelContext&);
+void draw_domain_panel(PanelContext&);
+
+}  // namespace whorl::app

@@ -1,0 +1,157 @@
+#include "app/panels/parameter_control.h"
+
+#include <imgui.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "app/panels/applicability.h"
+#include "app/panels/widgets.h"
+#include "app/plot/ticks.h"
+
+namespace whorl::app {
+namespace {
+
+using Kind = Parameter::Kind;
+
+/// As many decimals as a slider of this range needs to be read by.
+std::string number_format(const Parameter& p) {
+    if (p.logarithmic && p.slider_min < 1e-4) return "%.1e";
+    const double scale = p.logarithmic ? 10 * p.slider_min : p.slider_max - p.slider_min;
+    const int decimals = std::clamp(static_cast<int>(std::lround(2.5 - std::log10(scale))), 0, 6);
+    return "%." + std::to_string(decimals) + "f";
+}
+
+std::string detail(const Parameter& p) {
+    std::string line;
+    if (p.kind == Kind::Number || p.kind == Kind::Integer) {
+        line = figure(p.min) + " to " + figure(p.max) + (p.unit.empty() ? "" : " " + p.unit) + " · ";
+    }
+    line += "--set " + p.key + "=" + (p.kind == Kind::Truth ? "true" : "…");
+    if (p.kind == Kind::Number || p.kind == Kind::Integer) line += " · Ctrl+click to type";
+    return line;
+}
+
+void help(PanelContext& context, const Parameter& p, const std::string& idle) {
+    const std::string last_line = detail(p);
+    std::string what = p.help;
+    std::string source = p.source;
+    if (p.kind == Kind::Choice) {
+        const SchemeInfo& chosen = p.choices[static_cast<std::size_t>(p.get(context.scene()))];
+        what += "\n" + std::string(chosen.label) + ": " + std::string(chosen.help);
+    }
+    context.help.item(context.theme, p.key, {p.label, what, last_line, source, idle});
+}
+
+void choice(PanelContext& context, const Parameter& p, const char* id) {
+    const auto chosen = static_cast<std::size_t>(p.get(context.scene()));
+    const float room = ImGui::CalcItemWidth() - ImGui::GetFrameHeight() - ImGui::GetStyle().FramePadding.x;
+    const std::string shown = fitted(p.choices[chosen].label, room);
+    if (!ImGui::BeginCombo(id, shown.c_str(), ImGuiComboFlags_HeightLargest)) return;
+    for (std::size_t k = 0; k < p.choices.size(); ++k) {
+        const SchemeInfo& info = p.choices[k];
+        const std::string label(info.label);
+        if (ImGui::Selectable(label.c_str(), k == chosen) && k != chosen) {
+            context.remote.set(p, static_cast<double>(k));
+        }
+        const std::string key = p.key + "=" + std::string(info.key);
+        context.trace.control(key);
+        context.help.item(context.theme, key, {info.label, info.help, "", info.source, ""});
+    }
+    ImGui::EndCombo();
+}
+
+/// Numbers that rebuild the domain are sent when the slider is let go, others as it moves.
+void number(PanelContext& context, const Parameter& p, const char* id) {
+    const bool on_release = p.group == Parameter::Group::Domain;
+    ImGuiStorage& storage = *ImGui::GetStateStorage();
+    const ImGuiID dragged = ImGui::GetID((p.key + " dragged").c_str());
+    double value = p.get(context.scene());
+    float& held = *storage.GetFloatRef(dragged, std::nanf(""));
+    if (on_release && !std::isnan(held)) value = static_cast<double>(held);
+    const SliderRange range{p.slider_min, p.slider_max, p.logarithmic};
+    bool changed = false;
+    if (p.kind == Kind::Integer) {
+        int whole = static_cast<int>(value);
+        changed = slider(context.theme, id, whole, range, p.unit);
+        if (changed) value = whole;
+    } else {
+        changed = slider(context.theme, id, value, range, p.unit, number_format(p).c_str());
+    }
+    if (!on_release) {
+        if (changed) context.remote.set(p, value);
+        return;
+    }
+    if (changed) held = static_cast<float>(value);
+    if (ImGui::IsItemDeactivated()) {
+        if (!std::isnan(held)) context.remote.set(p, value);
+        held = std::nanf("");
+    }
+}
+
+/// The control itself, at the cursor and the next item's width.
+void control(PanelContext& context, const Parameter& p) {
+    const std::string idle = why_idle(p, context.scene());
+    const std::string id = "##" + p.key;
+    ImGui::BeginDisabled(!idle.empty());
+    if (p.kind == Kind::Truth) {
+        const bool value = p.get(context.scene()) != 0;
+        const ImGuiStyle& style = ImGui::GetStyle();
+        const float room = ImGui::CalcItemWidth() - ImGui::GetFrameHeight() - style.ItemInnerSpacing.x;
+        if (check((fitted(p.label, room) + id).c_str(), value)) context.remote.set(p, value ? 0 : 1);
+    } else if (p.kind == Kind::Choice) {
+        choice(context, p, id.c_str());
+    } else {
+        number(context, p, id.c_str());
+    }
+    ImGui::EndDisabled();
+    context.trace.control(p.key);
+    help(context, p, idle);
+}
+
+const Parameter* find(const std::string& key) {
+    for (const Parameter& p : parameters()) {
+        if (p.key == key) return &p;
+    }
+    return nullptr;
+}
+
+/// Two controls side by side under their label.
+void pair_row(PanelContext& context, const Parameter& velocity, const Parameter& scalars) {
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    const float half = std::floor(0.5f * (ImGui::GetContentRegionAvail().x - gap));
+    const float left = ImGui::GetCursorPosX();
+    if (velocity.kind != Kind::Truth) text(context.theme.palette.text_dim, velocity.label);
+    ImGui::SetNextItemWidth(half);
+    control(context, velocity);
+    ImGui::SameLine(left + half + gap);
+    ImGui::SetNextItemWidth(half);
+    control(context, scalars);
+}
+
+}  // namespace
+
+void parameter_row(PanelContext& context, const Parameter& p) {
+    if (p.kind != Kind::Truth) row_label(context.theme, p.label);
+    ImGui::SetNextItemWidth(-FLT_MIN);
+    control(context, p);
+}
+
+void parameter_or_pair(PanelContext& context, const Parameter& p) {
+    if (p.key == "steps" || p.key.rfind("velocity.", 0) == 0 || p.key.rfind("scalars.", 0) == 0) return;
+    const Parameter* velocity = find("velocity." + p.key);
+    const Parameter* scalars = find("scalars." + p.key);
+    if (velocity != nullptr && scalars != nullptr && !context.scene().linked) {
+        pair_row(context, *velocity, *scalars);
+    } else {
+        parameter_row(context, p);
+    }
+}
+
+void parameter_rows(PanelContext& context, Parameter::Group group) {
+    for (const Parameter& p : parameters()) {
+        if (p.group == group) parameter_or_pair(context, p);
+    }
+}
+
+}  // namespace whorl::app

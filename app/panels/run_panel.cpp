@@ -1,0 +1,120 @@
+// Transport, scene and pace.
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/panels/panel.h"
+#include "app/panels/widgets.h"
+#include "app/scenes/presets.h"
+#include "core/experiments/experiment.h"
+
+namespace whorl::app {
+
+namespace {
+
+void transport(PanelContext& context) {
+    const Palette& palette = context.theme.palette;
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    const float width = std::floor((ImGui::GetContentRegionAvail().x - 2 * gap) / 3);
+    const bool playing = context.remote.playing();
+    ImGui::PushStyleColor(ImGuiCol_Button, palette.accent);
+    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, faded(palette.accent, 0.9f));
+    ImGui::PushStyleColor(ImGuiCol_ButtonActive, faded(palette.accent, 0.8f));
+    ImGui::PushStyleColor(ImGuiCol_Text, palette.accent_text);
+    if (ImGui::Button(playing ? "Pause###play" : "Play###play", {width, 0})) context.remote.play(!playing);
+    ImGui::PopStyleColor(4);
+    context.trace.control("play");
+    context.help.item(context.theme, "play", {"", "Space", "", "", ""});
+    ImGui::SameLine();
+    if (ImGui::Button("Step", {width, 0})) context.remote.step();
+    context.trace.control("step");
+    context.help.item(context.theme, "step", {"", "One step, then pause. Key: full stop", "", "", ""});
+    ImGui::SameLine();
+    if (ImGui::Button("Reset", {-FLT_MIN, 0})) context.remote.restart();
+    context.trace.control("reset");
+    context.help.item(
+        context.theme, "reset",
+        {"", "Back to the start of the scene, with the schemes as they are set. Key: R", "", "", ""});
+}
+
+void scene_item(PanelContext& context, std::string_view key, const Scene& scene, std::string_view help,
+                std::string_view source, std::string_view hint) {
+    const std::string id = scene.title + "##" + std::string(key);
+    const bool chosen = context.remote.loaded() == key;
+    if (ImGui::Selectable(id.c_str(), chosen)) context.remote.load(key, scene);
+    const std::string name = "scene=" + std::string(key);
+    context.trace.control(name);
+    context.help.item(context.theme, name, {scene.title, help, hint, source, ""});
+}
+
+bool is_preset(std::string_view key) {
+    return std::any_of(presets().begin(), presets().end(), [&](const Preset& p) { return p.key == key; });
+}
+
+void scenes(PanelContext& context) {
+    row_label(context.theme, "Scene");
+    const float room = ImGui::CalcItemWidth() - 1.4f * ImGui::GetFrameHeight();
+    if (ImGui::BeginCombo("##scene", fitted(context.scene().title, room).c_str(),
+                          ImGuiComboFlags_HeightLargest)) {
+        int digit = 1;
+        for (const Preset& preset : presets()) {
+            const std::string hint = "Key: " + std::to_string(digit++);
+            const Scene scene = preset.scene();
+            const Experiment& start = experiment(scene.experiment);
+            scene_item(context, preset.key, scene, start.info.help, start.info.source, hint);
+        }
+        ImGui::Separator();
+        ImGui::PushFont(context.theme.small);
+        text(context.theme.palette.text_dim, "Experiments");
+        ImGui::PopFont();
+        for (const Experiment& e : experiments()) {
+            if (!e.listed) continue;
+            Scene scene = scene_of(e);
+            const std::string hint = std::to_string(scene.resolution) + " cells along the width";
+            std::string key(e.info.key);
+            if (is_preset(key)) {  // of that name, but finer
+                key += "-experiment";
+                scene.title += ", " + std::to_string(scene.resolution) + " cells wide";
+            }
+            scene_item(context, key, scene, e.info.help, e.info.source, hint);
+        }
+        ImGui::EndCombo();
+    }
+    context.trace.control("scene");
+    const Experiment& start = experiment(context.scene().experiment);
+    context.help.item(context.theme, "scene",
+                      {context.scene().title, start.info.help, "", start.info.source, ""});
+}
+
+void pace(PanelContext& context) {
+    Pace pace = context.remote.pace();
+    row_label(context.theme, "Steps a frame");
+    ImGui::BeginDisabled(pace.unlimited);
+    bool changed = slider(context.theme, "##steps per frame", pace.steps_per_frame, {1, 16}, "");
+    ImGui::EndDisabled();
+    context.trace.control("steps-per-frame");
+    context.help.item(context.theme, "steps-per-frame",
+                      {"Steps per frame",
+                       "How many time steps the run may take for each frame of the window. If they take "
+                       "longer, the run is slower, not the window.",
+                       "", "", pace.unlimited ? "The run goes as fast as it can." : ""});
+    if (check("As fast as it can", pace.unlimited)) {
+        pace.unlimited = !pace.unlimited;
+        changed = true;
+    }
+    context.trace.control("unlimited");
+    context.help.item(context.theme, "unlimited",
+                      {"As fast as it can", "Steps without waiting for the window's frames.", "", "", ""});
+    if (changed) context.remote.set_pace(pace);
+}
+
+}  // namespace
+
+void draw_run_panel(PanelContext& context) {
+    transport(context);
+    scenes(context);
+    pace(context);
+}
+
+}  // namespace whorl::app

@@ -1,0 +1,44 @@
+// Small pieces that all panels are laid out with.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "app/render/theme.h"
+
+namespace whorl::app {
+
+/// Width of the labels' column, pixels.
+float label_width();
+
+/// A label at the left; the next item takes the rest of the line.
+void row_label(const Theme& theme, std::string_view text);
+
+/// The text, or as much of it as fits `width` pixels in the current font, with an ellipsis.
+std::string fitted(std::string_view text, float width);
+
+/// A foldable heading. @return whether what is below it is to be drawn
+bool heading(const Theme& theme, const char* title, bool open_at_first);
+
+/// A button that shows whether it is chosen.
+bool chip(const Theme& theme, const char* label, bool chosen, float width);
+
+/// A check box that looks like the theme. @return whether it was clicked
+bool check(const char* label, bool value);
+
+/// The ends of a slider, and whether it goes by ratios.
+struct SliderRange {
+    double min, max;
+    bool logarithmic = false;
+};
+/// Sliders that write their value beside the grab, not under it, with the unit where there is room.
+/// @param format  of the number alone, as printf takes it
+/// @return whether the value was changed; typed ones may lie beyond the ends
+bool slider(const Theme& theme, const char* id, double& value, SliderRange range, std::string_view unit,
+            const char* format);
+bool slider(const Theme& theme, const char* id, int& value, SliderRange range, std::string_view unit);
+
+/// Text in a colour of the palette.
+void text(ImU32 colour, std::string_view line);
+
+}  // namespace whorl::app

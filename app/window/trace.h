@@ -1,0 +1,43 @@
+// What the window does, as lines in a file that tests and measurements read.
+#pragma once
+
+#include <cstdio>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "app/panels/frame_log.h"
+#include "core/session/snapshot.h"
+
+namespace whorl::app {
+
+/// Writes a JSON object a line: `{"event":"frame",…}` ten times a second, `{"event":"control","key":…,"x":…,
+/// "y":…}` where a control lies (its middle, pixels) whenever that changes, and other events as they come.
+/// Without a path nothing is written.
+class Trace {
+  public:
+    /// @throws std::runtime_error if the file cannot be opened
+    explicit Trace(const std::string& path);
+    ~Trace();
+    Trace(const Trace&) = delete;
+    Trace& operator=(const Trace&) = delete;
+
+    /// Call right after an ImGui item that a test may want to click.
+    void control(std::string_view key);
+    void place(std::string_view key, float x, float y, float width, float height);
+    void event(std::string_view name, std::string_view text);
+    void frame(const FrameLog& frames, double steps_per_second, bool playing, const Snapshot& snapshot,
+               double now);
+
+  private:
+    struct Rect {
+        float x, y, width, height;
+        bool operator==(const Rect&) const = default;
+    };
+
+    std::FILE* file_ = nullptr;
+    std::map<std::string, Rect, std::less<>> places_;
+    double next_frame_ = 0;
+};
+
+}  // namespace whorl::app

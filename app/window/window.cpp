@@ -1,0 +1,14 @@
+#include "app/window/window.h"
+
+#include "app/window/workbench.h"
+
+namespace whorl::app {
+
+int run_window(const WindowOptions& options) {
+    GlfwWindow window(options);
+    Workbench workbench(options, window);
+    while (!window.closing()) workbench.frame();
+    return 0;
+}
+
+}  // namespace whorl::app

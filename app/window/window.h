@@ -1,0 +1,30 @@
+// The window: opens, runs until it is closed.
+#pragma once
+
+#include <string>
+
+#include "app/window/no_opengl.h"
+#include "core/scene/scene.h"
+
+namespace whorl::app {
+
+struct WindowOptions {
+    Scene scene;
+    std::string name = "plume";  ///< preset, experiment or file the scene came from
+    int threads = 0;             ///< of the solver; 0 takes one a core
+    int width = 0, height = 0;   ///< of the window, pixels; 0 takes what suits the screen
+    double content_scale = 0;    ///< framebuffer pixels to a point; 0 asks the screen
+    std::string trace;           ///< file that gets a line for what happens, see Trace; empty for none
+};
+
+/// There is no display, or it gives no OpenGL 3.3.
+struct NoWindow : NoOpenGl {
+    using NoOpenGl::NoOpenGl;
+};
+
+/// Shows the sandbox until it is closed.
+/// @return the program's exit code
+/// @throws NoWindow with one line that says what is missing
+int run_window(const WindowOptions& options);
+
+}  // namespace whorl::app

@@ -1,0 +1,179 @@
+#include "app/window/workbench.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <sys/resource.h>
+
+#include <future>
+
+#include "app/panels/control_column.h"
+#include "app/panels/help_overlay.h"
+#include "app/panels/measure_column.h"
+#include "app/scenes/presets.h"
+#include "app/window/layout.h"
+
+namespace whorl::app {
+namespace {
+
+constexpr ImGuiWindowFlags fixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
+                                   ImGuiWindowFlags_NoBringToFrontOnFocus;
+
+void begin_column(const char* name, const Layout& layout, const Column& column, ImGuiWindowFlags flags) {
+    ImGui::SetNextWindowPos({column.x, layout.top});
+    ImGui::SetNextWindowSize({column.width, layout.height});
+    ImGui::Begin(name, nullptr, fixed | flags);
+}
+
+void begin_panel(const char* name, const Layout& layout, const Column& column, const Theme& theme,
+                 Slabs& slabs) {
+    begin_column(name, layout, column, ImGuiWindowFlags_NoBackground);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 low{column.x, layout.top};
+    const ImVec2 high{column.x + column.width, layout.top + layout.height};
+    list.PushClipRectFullScreen();
+    slabs.add(list, low, high, ImGui::GetStyle().WindowRounding, theme.palette.panel);
+    list.AddRect(low, high, theme.palette.border, ImGui::GetStyle().WindowRounding);
+    list.PopClipRect();
+}
+
+/// A player whose threads give way to the window's: on Linux, threads inherit the niceness of their maker,
+/// and only the calling thread's is changed here.
+std::unique_ptr<Player> make_player(const WindowOptions& options) {
+    return std::async(std::launch::async,
+                      [&] {
+                          constexpr int niceness = 10;
+                          setpriority(PRIO_PROCESS, 0, niceness);
+                          return std::make_unique<Player>(options.scene, options.threads);
+                      })
+        .get();
+}
+
+}  // namespace
+
+Workbench::Workbench(const WindowOptions& options, GlfwWindow& window)
+    : window_(window), trace_(options.trace), player_(make_player(options)), remote_(*player_, notices_) {
+    remote_.set_loaded(options.name);
+    player_->play(true);
+}
+
+void Workbench::frame() {
+    clock_.wait();
+    // The first frames open the window and build fonts and shaders.
+    if (warm_up_ > 0) {
+        --warm_up_;
+    } else {
+        frames_.add(clock_.interval_ms(), clock_.work_ms());
+    }
+    notices_.set_time(clock_.time());
+    player_->begin_frame();
+    const std::vector<InputEvent>& events = window_.begin_frame();
+    take_run();
+    for (const InputEvent& event : events) act_on(event);
+    brush_.end_frame(remote_);
+    draw();
+    window_.end_frame();
+    pictures_.end_frame(remote_.snapshot(), view_, notices_, trace_);
+    trace_.frame(frames_, remote_.steps_per_second(), remote_.playing(), remote_.snapshot(), clock_.time());
+}
+
+/// Takes the newest state, its measures, and the range of what is shown.
+void Workbench::take_run() {
+    remote_.begin_frame();
+    const bool new_run = player_->take_measures(measures_);
+    history_.take(measures_, new_run);
+    measures_.clear();
+    const Snapshot& s = remote_.snapshot();
+    if (!available(*view_.shown, s)) view_.shown = &views().front();
+    if (serial_ != s.serial || ranged_ != view_.shown) {
+        field_ = view_.shown->field(s, scratch_);
+        span_ = view_.shown->automatic_range(s, *field_);
+        serial_ = s.serial;
+        ranged_ = view_.shown;
+    }
+    view_.range.follow(*view_.shown, span_, 1e-3 * clock_.interval_ms());
+}
+
+void Workbench::act_on(const InputEvent& event) {
+    using Kind = InputEvent::Kind;
+    switch (event.kind) {
+        case Kind::Character:
+            if (!ImGui::GetIO().WantTextInput) type(event);
+            break;
+        case Kind::Key:
+            press_key(event);
+            break;
+        case Kind::Wheel: {
+            const ImVec2 at = ImGui::GetIO().MousePos;
+            if (place_.covered || !place_.contains(static_cast<double>(at.x), static_cast<double>(at.y)))
+                break;
+            const double radius = wheel_radius(remote_.scene().brush.radius, event.y);
+            remote_.set(parameter("brush.radius"), radius);
+            break;
+        }
+        default:
+            brush_.take(event, place_);
+    }
+}
+
+void Workbench::press_key(const InputEvent& event) {
+    if (event.repeated) return;
+    if (event.code == GLFW_KEY_F12) pictures_.ask();
+    if (event.code == GLFW_KEY_ESCAPE) view_.help = false;
+    if (event.code == GLFW_KEY_Q && (event.mods & GLFW_MOD_CONTROL) != 0) window_.close();
+}
+
+void Workbench::type(const InputEvent& event) {
+    if (event.code == '.') return remote_.step();
+    if (event.repeated) return;
+    switch (event.code) {
+        case ' ':
+            return remote_.play(!remote_.playing());
+        case 'r':
+        case 'R':
+            return remote_.restart();
+        case 'h':
+        case 'H':
+            view_.help = !view_.help;
+            return;
+        case 'q':
+        case 'Q':
+            return window_.close();
+        default:
+            break;
+    }
+    const int digit = event.code - '1';
+    if (digit < 0 || digit >= static_cast<int>(presets().size())) return;
+    const Preset& preset = presets()[static_cast<std::size_t>(digit)];
+    remote_.load(preset.key, preset.scene());
+}
+
+void Workbench::draw() {
+    const Snapshot& s = remote_.snapshot();
+    const Theme& theme = window_.theme();
+    PanelContext context{theme, remote_, view_, history_, frames_, field_, help_, trace_, slabs_};
+    slabs_.clear();
+    const Layout layout = lay_out(theme, s.grid, static_cast<float>(window_.framebuffer_width()),
+                                  static_cast<float>(window_.framebuffer_height()));
+
+    begin_panel("controls", layout, layout.controls, theme, slabs_);
+    draw_control_column(context);
+    ImGui::End();
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+    begin_column("field", layout, layout.field,
+                 ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollWithMouse);
+    ImGui::PopStyleVar();
+    place_ = draw_field_area(context);
+    ImGui::End();
+    begin_panel("measures", layout, layout.measures, theme, slabs_);
+    draw_measure_column(context);
+    ImGui::End();
+    draw_help_overlay(context);
+    help_.end_frame();
+    ImGui::Render();
+    // A view chosen this frame has its field from the next one on.
+    painter_.clear(theme, slabs_, window_.framebuffer_height());
+    painter_.draw(s, *field_, view_, place_, theme, window_.framebuffer_height());
+}
+
+}  // namespace whorl::app

@@ -1,0 +1,58 @@
+// Everything in the window, frame by frame.
+#pragma once
+
+#include <memory>
+
+#include "app/panels/field_area.h"
+#include "app/panels/hover_help.h"
+#include "app/panels/panel.h"
+#include "app/window/brush_tool.h"
+#include "app/window/field_painter.h"
+#include "app/window/frame_clock.h"
+#include "app/window/glfw_window.h"
+#include "app/window/picture_taker.h"
+
+namespace whorl::app {
+
+/// The run, what is known of it, and what shows and steers it.
+class Workbench {
+  public:
+    /// @throws InputError if the scene's choices do not go together, std::runtime_error if the trace cannot
+    ///         be written
+    Workbench(const WindowOptions& options, GlfwWindow& window);
+
+    /// Waits for the next frame's time, and makes it.
+    void frame();
+
+  private:
+    void act_on(const InputEvent& event);
+    void press_key(const InputEvent& event);
+    void type(const InputEvent& event);
+    void take_run();
+    void draw();
+
+    GlfwWindow& window_;
+    Trace trace_;
+    FrameClock clock_;
+    int warm_up_ = 5;  ///< frames that are not measured yet
+    Notices notices_;
+    ViewState view_;
+    History history_;
+    FrameLog frames_;
+    HoverHelp help_;
+    BrushTool brush_;
+    FieldPlacement place_;
+    Slabs slabs_;
+    FieldPainter painter_;
+    PictureTaker pictures_;
+    Field scratch_;                 ///< for views that are worked out
+    const Field* field_ = nullptr;  ///< what the chosen view shows
+    std::uint64_t serial_ = ~std::uint64_t{0};
+    const View* ranged_ = nullptr;
+    Range span_{0, 1};  ///< of the field on screen
+    std::vector<Measures> measures_;
+    std::unique_ptr<Player> player_;
+    Remote remote_;
+};
+
+}  // namespace whorl::app

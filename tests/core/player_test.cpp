@@ -1,0 +1,131 @@
+// The player steps in the background, and commands act.
+#include "core/session/player.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+#include "core/experiments/experiment.h"
+#include "core/scene/error.h"
+#include "core/scene/parameters.h"
+
+namespace whorl {
+namespace {
+
+Scene small_plume() {
+    Scene scene = scene_of(experiment("plume"));
+    set_parameter(scene, "resolution=24");
+    return scene;
+}
+
+/// Waits for what the player does in its own time; long enough for a loaded machine under a sanitizer.
+template <class Condition>
+bool eventually(Condition&& condition) {
+    for (int k = 0; k < 20000; ++k) {
+        if (condition()) return true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return false;
+}
+
+TEST(Player, ShowsTheStartAndWaits) {
+    Player player(small_plume(), 1);
+    EXPECT_EQ(player.newest().measures.step, 0);
+    player.begin_frame();
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    EXPECT_EQ(player.newest().measures.step, 0);
+}
+
+TEST(Player, StepsOnceAndPauses) {
+    Player player(small_plume(), 1);
+    player.play(true);
+    player.step_once();
+    ASSERT_TRUE(eventually([&] { return player.newest().measures.step == 1; }));
+    EXPECT_FALSE(player.playing());
+    player.begin_frame();
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    EXPECT_EQ(player.newest().measures.step, 1);
+}
+
+TEST(Player, TakesItsPaceFromTheFrames) {
+    Player player(small_plume(), 1);
+    player.set_pace({.steps_per_frame = 3, .unlimited = false});
+    player.play(true);
+    player.begin_frame();
+    ASSERT_TRUE(eventually([&] { return player.newest().measures.step == 3; }));
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    EXPECT_EQ(player.newest().measures.step, 3);
+    player.set_pace({.steps_per_frame = 1, .unlimited = true});
+    EXPECT_TRUE(eventually([&] { return player.newest().measures.step > 20; }));
+    EXPECT_TRUE(eventually([&] { return player.steps_per_second() > 0; }));
+}
+
+TEST(Player, CommandsActWhilePaused) {
+    Player player(small_plume(), 1);
+    player.push(SmokeStroke{.along = {10, 20, 30, 20}, .radius = 3, .density = 1});
+    EXPECT_TRUE(eventually(
+        [&] { return player.newest().measures.step == 0 && player.newest().density(12, 12) > 0; }));
+    player.push(SetParameter{"resolution", "32"});
+    EXPECT_TRUE(eventually([&] { return player.newest().grid.nx == 32; }));
+    player.push(SetParameter{"zeta", "77"});
+    std::string complaint;
+    EXPECT_TRUE(eventually([&] { return !(complaint = player.take_complaint()).empty(); }));
+    EXPECT_EQ(complaint, "zeta = 77 is out of range: 0 to 4");
+}
+
+TEST(Player, MeasuresEveryStepOnce) {
+    Player player(small_plume(), 1);
+    std::vector<Measures> all;
+    EXPECT_TRUE(player.take_measures(all));
+    player.set_pace({.steps_per_frame = 1, .unlimited = true});
+    player.play(true);
+    ASSERT_TRUE(eventually([&] {
+        EXPECT_FALSE(player.take_measures(all));
+        return all.size() > 30;
+    }));
+    for (std::size_t k = 0; k < all.size(); ++k) EXPECT_EQ(all[k].step, static_cast<long>(k));
+    player.push(Restart{});
+    ASSERT_TRUE(eventually([&] { return player.take_measures(all); }));
+    EXPECT_EQ(all.front().step, 0);
+}
+
+TEST(Player, LoadsAnotherScene) {
+    Player player(small_plume(), 1);
+    player.load(scene_of(experiment("rotation")));
+    EXPECT_TRUE(eventually([&] { return player.newest().scene.experiment == "rotation"; }));
+    EXPECT_EQ(player.newest().run, 1);
+    Scene bad = small_plume();
+    set_parameter(bad, "advector=aslam");
+    set_parameter(bad, "interpolation=bridson");
+    EXPECT_THROW(player.load(bad), InputError);
+}
+
+TEST(Player, KeepsTheLastSoundStateWhenARunFails) {
+    Player player(small_plume(), 1);
+    player.step_once();
+    ASSERT_TRUE(eventually([&] { return player.newest().measures.step == 1; }));
+    player.push(SmokeStroke{.along = {20, 20, 20, 20}, .radius = 3, .density = 1, .temperature = INFINITY});
+    player.step_once();
+    ASSERT_TRUE(eventually([&] { return player.newest().failure.has_value(); }));
+    EXPECT_TRUE(std::isfinite(player.newest().density(12, 12)));
+    player.push(Restart{});
+    EXPECT_TRUE(eventually([&] { return !player.newest().failure && player.newest().measures.step == 0; }));
+}
+
+/// Closing, loading and resetting in the middle of everything.
+TEST(Player, EndsAtAnyMoment) {
+    for (int k = 0; k < 20; ++k) {
+        Player player(small_plume(), 2);
+        player.set_pace({.steps_per_frame = 1, .unlimited = true});
+        player.play(true);
+        if (k % 2) player.load(scene_of(experiment("empty")));
+        if (k % 3) player.push(Restart{});
+        if (k % 5) player.push(SetParameter{"resolution", "48"});
+        std::this_thread::sleep_for(std::chrono::milliseconds(k));
+    }
+}
+
+}  // namespace
+}  // namespace whorl

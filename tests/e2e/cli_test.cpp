@@ -1,0 +1,186 @@
+// The command line as a person types it: what it prints, writes, refuses and returns.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "core/io/png.h"
+
+namespace whorl {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Outcome {
+    int code;
+    std::string out;  ///< standard output and standard error
+    std::size_t lines() const { return static_cast<std::size_t>(std::count(out.begin(), out.end(), '\n')); }
+};
+
+class CommandLine : public testing::Test {
+  protected:
+    void SetUp() override {
+        folder = fs::temp_directory_path() / ("whorl-cli-" + std::to_string(::getpid()));
+        fs::create_directories(folder);
+    }
+    void TearDown() override {
+        fs::permissions(folder, fs::perms::owner_all);
+        fs::remove_all(folder);
+    }
+
+    Outcome whorl(const std::string& arguments) const {
+        const std::string command =
+            "cd '" + folder.string() + "' && env -u DISPLAY '" WHORL_BINARY "' " + arguments + " 2>&1";
+        std::FILE* pipe = ::popen(command.c_str(), "r");
+        Outcome outcome{};
+        std::array<char, 4096> buffer;
+        while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe))
+            outcome.out.append(buffer.data(), n);
+        const int status = ::pclose(pipe);
+        outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+        return outcome;
+    }
+    std::string contents(const std::string& file) const {
+        std::ifstream stream(folder / file);
+        std::ostringstream text;
+        text << stream.rdbuf();
+        return text.str();
+    }
+    void write(const std::string& file, const std::string& text) const {
+        std::ofstream(folder / file) << text;
+    }
+    std::size_t files() const {
+        return static_cast<std::size_t>(
+            std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+    }
+
+    fs::path folder;
+};
+
+/// Refused in one line that says both what was wrong and what would be right.
+void expect_refused(const Outcome& o, const std::string& reason) {
+    EXPECT_EQ(o.code, 2) << o.out;
+    EXPECT_EQ(o.lines(), 1u) << o.out;
+    EXPECT_NE(o.out.find(reason), std::string::npos) << o.out;
+}
+
+TEST_F(CommandLine, RunsAPresetAndWritesARowAStep) {
+    const Outcome o = whorl("run plume --steps 5 --set resolution=32 --csv -");
+    EXPECT_EQ(o.code, 0);
+    EXPECT_EQ(o.lines(), 6u) << o.out;
+    EXPECT_TRUE(o.out.starts_with(
+        "step,time,density_percent,kinetic_energy,enstrophy,max_divergence,min,max\n1,0.01666"))
+        << o.out;
+}
+
+TEST_F(CommandLine, WritesSeriesTimingAndPicture) {
+    const Outcome o =
+        whorl("run plume-obstacle --steps 20 --set resolution=32 --csv a.csv --timing t.csv --picture p.png");
+    ASSERT_EQ(o.code, 0) << o.out;
+    EXPECT_TRUE(contents("a.csv").starts_with("step,"));
+    EXPECT_TRUE(contents("t.csv").starts_with("phase,median_ms\nforces,"));
+    EXPECT_NE(contents("t.csv").find("\ntotal,"), std::string::npos);
+    const Image image = read_png(folder / "p.png");
+    EXPECT_GT(image.width, 600);
+    EXPECT_EQ(files(), 3u) << "nothing else is left behind";
+}
+
+TEST_F(CommandLine, DrawsEveryView) {
+    for (const char* view : {"density", "temperature", "speed", "vorticity", "pressure", "divergence"}) {
+        const Outcome o =
+            whorl(std::string("run plume --steps 3 --set resolution=16 --picture v.png --view ") + view);
+        EXPECT_EQ(o.code, 0) << o.out;
+    }
+    EXPECT_EQ(whorl("experiment rest --set resolution=20 --at 3 --picture v.png --view difference").code, 0);
+    expect_refused(whorl("run plume --steps 1 --picture v.png --view exact"), "no exact to show");
+}
+
+TEST_F(CommandLine, SameRowsForAnyThreadCount) {
+    const Outcome one = whorl("run plume --steps 30 --csv - --threads 1");
+    EXPECT_EQ(one.out, whorl("run plume --steps 30 --csv - --threads 2").out);
+}
+
+TEST_F(CommandLine, MeasuresAnExperimentAtItsSteps) {
+    const Outcome o = whorl("experiment translation-1d --set advector=maccormack --at 1,60");
+    EXPECT_EQ(o.code, 0);
+    EXPECT_EQ(o.lines(), 3u) << o.out;
+    EXPECT_TRUE(o.out.starts_with("step,time,L1,L2,Linf,density_percent,min,max\n1,"));
+    // No exact solution, no error.
+    EXPECT_NE(whorl("experiment rotation --at 30").out.find("30,0.5,,,,"), std::string::npos);
+}
+
+TEST_F(CommandLine, Converges) {
+    const Outcome o = whorl("converge translation --set steps=30 --resolutions 20,40");
+    EXPECT_EQ(o.code, 0);
+    EXPECT_EQ(o.lines(), 3u) << o.out;
+    expect_refused(whorl("converge plume --resolutions 20,40"), "no exact solution");
+    expect_refused(whorl("converge rotation --resolutions 40,70"), "70 is not a multiple of 40");
+    expect_refused(whorl("converge rotation --resolutions 40"), "two or more");
+    expect_refused(whorl("converge rotation --set steps=7 --resolutions 20,40"), "not known at step 7");
+}
+
+TEST_F(CommandLine, ListsEverything) {
+    const Outcome o = whorl("list");
+    EXPECT_EQ(o.code, 0);
+    for (const char* word : {"presets", "aslam-bilinear", "fritsch-carlson-square", "rk3", "jittered",
+                             "gaussian", "revert", "taylor-green", "confinement", "viridis"}) {
+        EXPECT_NE(o.out.find(word), std::string::npos) << word;
+    }
+    EXPECT_EQ(whorl("list tracers").lines(), 4u);
+    expect_refused(whorl("list tracer"), "did you mean tracers");
+    EXPECT_EQ(whorl("--version").code, 0);
+    EXPECT_EQ(whorl("--help").code, 0);
+    EXPECT_EQ(whorl("run --help").code, 0);
+}
+
+TEST_F(CommandLine, RefusesBadInputInOneLine) {
+    expect_refused(whorl("run plum"), "did you mean plume");
+    expect_refused(whorl("run plume --set advectr=aslam"), "did you mean advector");
+    expect_refused(whorl("run plume --set advector=mccormack"), "did you mean maccormack");
+    expect_refused(whorl("run plume --set zeta=9"), "out of range: 0 to 4");
+    expect_refused(whorl("run plume --set advector=aslam --set interpolation=b-spline"), "linear weights");
+    expect_refused(whorl("run plume --steps many"), "many");
+    expect_refused(whorl("run plume --steps -4"), "-4");
+    expect_refused(whorl("run plume --colour"), "--colour");
+    expect_refused(whorl("run"), "scene");
+    expect_refused(whorl("run plume --steps 1 --picture p.png --map viridid"), "did you mean viridis");
+    expect_refused(whorl("run plume --steps 1 --picture p.png --view dens"), "did you mean density");
+    expect_refused(whorl("run plume --steps 1 --picture p.png --range 3,1"), "rising");
+    expect_refused(whorl("experiment rotaton"), "did you mean rotation");
+    expect_refused(whorl("experiment rotation --at 3,x"), "3,x");
+    expect_refused(whorl("run missing.toml"), "missing.toml");
+    EXPECT_EQ(files(), 0u);
+}
+
+TEST_F(CommandLine, NamesThePlaceInABrokenScene) {
+    write("a.toml", "whorl = 1\nexperiment = \"plume\"\nresolution = 24\n");
+    EXPECT_EQ(whorl("run a.toml --steps 2").code, 0);
+    write("b.toml", "whorl = 1\nresolution = \n");
+    expect_refused(whorl("run b.toml --steps 2"), "b.toml:2:");
+    write("c.toml", "whorl = 1\n\nzeta = 12\n");
+    expect_refused(whorl("run c.toml --steps 2"), "c.toml:3:8: zeta = 12 is out of range: 0 to 4");
+}
+
+TEST_F(CommandLine, FindsOutBeforeTheRunThatItCannotWrite) {
+    const Outcome o = whorl("run plume --steps 100000 --csv nowhere/a.csv");
+    EXPECT_NE(o.code, 0);
+    EXPECT_EQ(o.lines(), 1u) << o.out;
+    EXPECT_NE(o.out.find("nowhere"), std::string::npos) << o.out;
+    EXPECT_NE(whorl("run plume --steps 100000 --picture nowhere/p.png").code, 0);
+}
+
+TEST_F(CommandLine, SaysThatThereIsNoDisplay) {
+    const Outcome o = whorl("");
+    EXPECT_EQ(o.code, 3) << o.out;
+    EXPECT_EQ(o.lines(), 1u) << o.out;
+}
+
+}  // namespace
+}  // namespace whorl

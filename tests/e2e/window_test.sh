@@ -1,0 +1,169 @@
+#!/usr/bin/env bash
+# Uses the window as a person does, with mouse and keys on a virtual screen, and follows what the run reports.
+# usage: window_test.sh WHORL CHECK_PICTURE
+set -u
+whorl=$1
+check_picture=$2
+patience=${WHORL_E2E_PATIENCE:-60} # seconds to wait for an effect; sanitizers are slow
+
+for tool in Xvfb xdotool; do
+    command -v "$tool" >/dev/null || { echo "skipped: $tool is not installed"; exit 77; }
+done
+
+work=$(mktemp -d)
+trace=$work/trace
+app=
+screen=
+cleanup() {
+    [ -n "$app" ] && kill "$app" 2>/dev/null
+    [ -n "$screen" ] && kill "$screen" 2>/dev/null
+    wait 2>/dev/null
+    rm -rf "$work"
+}
+trap cleanup EXIT
+
+fail() {
+    echo "FAILED: $*" >&2
+    grep '"frame"' "$trace" 2>/dev/null | tail -1 >&2
+    cat "$work/log" >&2
+    exit 1
+}
+say() { echo "ok: $*"; }
+
+# The last frame's value of a key, without quotes.
+value() { grep '"event":"frame"' "$trace" 2>/dev/null | tail -1 | sed -E "s/.*\"$1\":\"?([^,\"}]*).*/\1/"; }
+# Where a control is: its middle, or its left edge, width … by the names of the trace.
+part() { grep -s -F "\"key\":\"$1\"" "$trace" | tail -1 | sed -E "s/.*\"$2\":(-?[0-9]+).*/\1/"; }
+# until KEY OPERATOR VALUE: waits for the run to report it.
+until_() {
+    local end=$((SECONDS + patience))
+    while ((SECONDS < end)); do
+        awk -v a="$(value "$1")" -v b="$3" "BEGIN { exit !(a $2 b) }" && return 0
+        sleep 0.1
+    done
+    fail "$1 is $(value "$1"), not $2 $3"
+}
+until_seen() {
+    local end=$((SECONDS + patience))
+    while ((SECONDS < end)); do
+        grep -q -s -F "$1" "$trace" && return 0
+        sleep 0.1
+    done
+    fail "no $1"
+}
+click() {
+    until_seen "\"key\":\"$1\""
+    sleep 0.3 # what was opened by the last click has its place
+    xdotool mousemove "$(part "$1" x)" "$(part "$1" y)" sleep 0.2 click 1 sleep 0.2
+}
+# A place on the field, in hundredths of its size from the upper left corner.
+field_x() { echo $(($(part field x) + ($1 - 50) * $(part field w) / 100)); }
+field_y() { echo $(($(part field y) + ($1 - 50) * $(part field h) / 100)); }
+# drag BUTTON X0 Y0 X1 Y1
+drag() {
+    xdotool mousemove "$(field_x "$2")" "$(field_y "$3")" sleep 0.2 mousedown "$1"
+    for k in 1 2 3 4 5 6 7 8; do
+        xdotool mousemove "$(field_x $(($2 + k * ($4 - $2) / 8)))" "$(field_y $(($3 + k * ($5 - $3) / 8)))" sleep 0.03
+    done
+    xdotool mouseup "$1"
+}
+
+# ---- without a display: one line, exit code 3
+env -u DISPLAY "$whorl" empty >"$work/log" 2>&1
+code=$?
+[ $code = 3 ] && [ "$(wc -l <"$work/log")" = 1 ] || fail "without a display: exit code $code"
+say "without a display it says so and exits 3"
+
+# ---- a screen and the window
+Xvfb -displayfd 3 -screen 0 1600x1000x24 -noreset 3>"$work/display" 2>"$work/xvfb.log" &
+screen=$!
+for _ in $(seq 100); do [ -s "$work/display" ] && break; sleep 0.1; done
+[ -s "$work/display" ] || fail "Xvfb gives no screen"
+DISPLAY=:$(cat "$work/display")
+export DISPLAY
+mkdir "$work/pictures"
+cd "$work/pictures" || exit 1
+"$whorl" empty --set resolution=64 --size 1600x1000 --trace "$trace" >"$work/log" 2>&1 &
+app=$!
+until_seen '"event":"frame"'
+until_ step ">" 5
+say "the window opens and the run plays"
+
+# ---- mouse on the field
+drag 1 30 70 60 50
+until_ total_density ">" 1
+say "a drag injects smoke"
+xdotool keydown shift
+drag 1 70 20 85 20
+xdotool keyup shift
+until_ solids ">" 0
+say "a shift-drag paints an obstacle"
+painted=$(value solids)
+xdotool keydown ctrl
+drag 1 70 20 78 20
+xdotool keyup ctrl
+until_ solids "<" "$painted"
+say "a ctrl-drag erases"
+xdotool mousemove "$(field_x 50)" "$(field_y 50)" click 4 click 4
+until_ brush_radius ">" 2.2
+say "the wheel widens the brush"
+
+# ---- controls, by mouse
+click interpolation
+click interpolation=fritsch-carlson
+until_ interpolation "==" fritsch-carlson
+say "another interpolation"
+click advector
+click advector=aslam
+until_ advector "==" aslam
+until_ interpolation "==" linear
+say "ASLAM, which takes linear interpolation along"
+until_seen '"key":"zeta"'
+xdotool mousemove $(($(part zeta x) + $(part zeta w) * 4 / 10)) "$(part zeta y)" sleep 0.2 click 1
+until_ zeta "==" 4
+say "ζ = 4"
+
+# ---- keys
+xdotool mousemove "$(field_x 50)" "$(field_y 20)" key space
+until_ playing "==" false
+sleep 0.5
+at=$(value step)
+sleep 0.5
+[ "$(value step)" = "$at" ] || fail "it steps while paused"
+xdotool key period
+until_ step "==" $((at + 1))
+say "pause and single step"
+click play
+until_ step ">" $((at + 5))
+say "the play button"
+xdotool key r
+until_ run ">" 0
+until_ total_density "<" 0.01
+say "reset"
+xdotool key 1
+until_ nx "==" 128
+until_ total_density ">" 0.5
+say "the first preset"
+
+# ---- pictures
+xdotool key F12
+until_seen '"event":"picture"'
+[ -f whorl-0001.png ] || fail "no whorl-0001.png"
+"$check_picture" whorl-0001.png >"$work/picture" || fail "the picture cannot be read, or is empty"
+grep -q -E "experiment = ['\"]plume['\"]" "$work/picture" || fail "the picture does not hold its scene"
+say "a picture of $(head -1 "$work/picture") pixels"
+rm -rf "$work/pictures"
+xdotool key F12
+until_seen '"event":"picture-failed"'
+say "a picture that cannot be written says why"
+
+# ---- the end
+xdotool key q
+for _ in $(seq $((patience * 10))); do kill -0 $app 2>/dev/null || break; sleep 0.1; done
+kill -0 $app 2>/dev/null && fail "q does not quit"
+wait $app
+code=$?
+app=
+[ $code = 0 ] || fail "exit code $code"
+say "q quits"
+[ ! -s "$work/log" ] || fail "the log is not empty"
