@@ -8,9 +8,9 @@
 
 namespace whorl {
 
-/// A run of `count` nodes (i … i + count − 1, j) of a field; at most `size` where Values are filled. Loops work
-/// in whole vectors: what they write for the nodes after the last one, up to the next multiple of 64 bytes, has
-/// no meaning.
+/// A run of `count` nodes (i … i + count − 1, j) of a field; at most `size` where Values are filled. Loops
+/// work in whole vectors: what they write for the nodes after the last one, up to the next multiple of 64
+/// bytes, has no meaning.
 struct Run {
     static constexpr int size = 64;
     int i;
@@ -95,7 +95,7 @@ struct Kernels {
     LocateFn locate;
     SampleFn sample;
     SampleFn sample_linear;
-    CarryFn carry;       ///< null where the step has no particles, as `gather`
+    CarryFn carry;  ///< null where the step has no particles, as `gather`
     GatherFn gather;
     LimitFn limit;       ///< after the whole scheme
     LimitFn limit_base;  ///< inside a predictor-corrector, after its base step; null leaves it as it is

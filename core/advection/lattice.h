@@ -14,9 +14,9 @@ struct Group;
 class Finish;
 struct Step;
 
-/// Particles of neighbouring nodes start from the same points: one lattice with `per_cell` points a cell along
-/// each axis, the first of them `phase` steps from the cell's low side. Face and centre nodes share it, so
-/// every departure point is traced once for all fields.
+/// Particles of neighbouring nodes start from the same points: one lattice with `per_cell` points a cell
+/// along each axis, the first of them `phase` steps from the cell's low side. Face and centre nodes share it,
+/// so every departure point is traced once for all fields.
 class Lattice {
   public:
     /// Along an axis, at most.

@@ -32,8 +32,8 @@ inline void step_forward(const Step& step, Groups groups, std::span<Workspace> w
     }
 }
 
-/// Takes the error e = (q̂^n − q^n)/2, where q̂^n = Aʳ(q̂^{n+1}), to `use(g, f, run, e)` for each field f of each
-/// group g.
+/// Takes the error e = (q̂^n − q^n)/2, where q̂^n = Aʳ(q̂^{n+1}), to `use(g, f, run, e)` for each field f of
+/// each group g.
 template <class Use>
 void half_error(const Step& step, Groups groups, std::span<Workspace> work, Use&& use) {
     std::array<Group, max_groups> back;

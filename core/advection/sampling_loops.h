@@ -34,10 +34,9 @@ struct Patch {
     template <class Interpolation, bool x_first>
     WHORL_INLINE T at(T x, T y, IntervalOf<T> in_x, IntervalOf<T> in_y) const {
         if constexpr (x_first) {
-            return Interpolation::at(below.template at<Interpolation>(x, in_x),
-                                     low.template at<Interpolation>(x, in_x),
-                                     high.template at<Interpolation>(x, in_x),
-                                     above.template at<Interpolation>(x, in_x), y, in_y);
+            return Interpolation::at(
+                below.template at<Interpolation>(x, in_x), low.template at<Interpolation>(x, in_x),
+                high.template at<Interpolation>(x, in_x), above.template at<Interpolation>(x, in_x), y, in_y);
         } else {
             return Interpolation::at(Interpolation::at(below.qm, low.qm, high.qm, above.qm, y, in_y),
                                      Interpolation::at(below.q0, low.q0, high.q0, above.q0, y, in_y),

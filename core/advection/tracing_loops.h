@@ -140,8 +140,8 @@ struct TraceLoop {
         for (int k = 0; k < nodes.count; k += lane_count<T>) {
             const Nodes<T> some(nodes.i + k, nodes.j);
             const VelocityNear<T, periodic> velocity{u, v, some};
-            const Point<T> d = Tracer::trace(velocity, velocity(start),
-                                             Point<T>{every<T>(start.x), every<T>(start.y)}, dt);
+            const Point<T> d =
+                Tracer::trace(velocity, velocity(start), Point<T>{every<T>(start.x), every<T>(start.y)}, dt);
             store(d.x, to_x + k);
             store(d.y, to_y + k);
         }

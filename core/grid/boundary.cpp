@@ -105,11 +105,16 @@ void Boundary::fill(Field& field) const {
     for (const Copy& copy : rule(field.site()).nearest) {
         field(copy.to % width, copy.to / width) = field(copy.from % width, copy.from / width);
     }
+    int left[g], right[g];  // where the ghost samples of a row come from
+    for (int k = 0; k < g; ++k) {
+        left[k] = periodic_ ? wrap(-1 - k, width) : 0;
+        right[k] = periodic_ ? k % width : width - 1;
+    }
     for (int j = 0; j < height; ++j) {
         Real* row = field.row(j);
-        for (int k = 1; k <= g; ++k) {
-            row[-k] = periodic_ ? row[wrap(-k, width)] : row[0];
-            row[width - 1 + k] = periodic_ ? row[(k - 1) % width] : row[width - 1];
+        for (int k = 0; k < g; ++k) {
+            row[-1 - k] = row[left[k]];
+            row[width + k] = row[right[k]];
         }
     }
     for (int k = 1; k <= g; ++k) {

@@ -1,6 +1,7 @@
 // The numbers of one step: conservation, energy, enstrophy, extrema.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,12 @@ struct Measures {
 /// Names the first field that holds a value that is not finite, and where; empty if all is well.
 std::string not_finite(const State& state);
 
+/// What is summed over a row of cells; rows are added up in order, so that threads do not change the result.
+struct RowSums {
+    double density = 0, heat = 0, energy = 0, enstrophy = 0;
+    double min = std::numeric_limits<double>::infinity(), max = -min, speed = 0;
+};
+
 /// Measures states; keeps its scratch field from step to step.
 class Meter {
   public:
@@ -49,11 +56,8 @@ class Meter {
     bool finite() const { return finite_; }
 
   private:
-    struct Row {
-        double density, heat, energy, enstrophy, min, max, speed;
-    };
     Field vorticity_;
-    std::vector<Row> rows_;
+    std::vector<RowSums> rows_;
     bool finite_ = true;
 };
 

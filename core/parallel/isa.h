@@ -27,8 +27,8 @@ std::string_view name(Isa isa);
 #define WHORL_INLINE inline
 #endif
 
-/// One function compiled for every level. `Body::run<bytes>` is WHORL_INLINE and static, takes what `Fn` takes,
-/// and works in vectors of `bytes` bytes.
+/// One function compiled for every level. `Body::run<bytes>` is WHORL_INLINE and static, takes what `Fn`
+/// takes, and works in vectors of `bytes` bytes.
 template <class Fn, class Body>
 struct PerIsa;
 
@@ -36,14 +36,20 @@ template <class Body, class... Args>
 struct PerIsa<void (*)(Args...), Body> {
     static void baseline(Args... args) { Body::template run<16>(args...); }
 #ifdef WHORL_HAS_ISAS
-    WHORL_AVX2 static void avx2(Args... args) { Body::template run<32>(args...); }
-    WHORL_AVX512 static void avx512(Args... args) { Body::template run<64>(args...); }
+    WHORL_AVX2 static void avx2(Args... args) {
+        Body::template run<32>(args...);
+    }
+    WHORL_AVX512 static void avx512(Args... args) {
+        Body::template run<64>(args...);
+    }
 
     static auto pick(Isa isa) -> void (*)(Args...) {
         return isa == Isa::Avx512 ? avx512 : isa == Isa::Avx2 ? avx2 : baseline;
     }
 #else
-    static auto pick(Isa) -> void (*)(Args...) { return baseline; }
+    static auto pick(Isa) -> void (*)(Args...) {
+        return baseline;
+    }
 #endif
 };
 

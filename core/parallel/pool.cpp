@@ -52,8 +52,9 @@ struct Pool::Shared {
     std::condition_variable done;
     std::vector<std::thread> threads;
     bool stopping = false;
-    std::atomic<std::uint64_t> round{0};  ///< counts calls of run; a thread works once a round
-    std::atomic<int> working{0};
+    bool open = false;                    ///< whether threads may still join the round
+    std::atomic<std::uint64_t> round{0};  ///< counts calls of run; a thread joins each at most once
+    std::atomic<int> working{0};          ///< threads that have joined and are not done
 
     Call call = nullptr;
     void* work = nullptr;
@@ -72,17 +73,20 @@ struct Pool::Shared {
     void serve(int thread) {
         flush_denormals();
         std::uint64_t seen = 0;
+        std::unique_lock lock(mutex);
         for (;;) {
-            watch([&] { return round.load(std::memory_order_acquire) != seen; });
-            {
-                std::unique_lock lock(mutex);
-                wake.wait(lock, [&] { return stopping || round != seen; });
-                if (stopping) return;
-                seen = round;
-            }
+            lock.unlock();
+            watch([&] { return round.load(std::memory_order_relaxed) != seen; });
+            lock.lock();
+            wake.wait(lock, [&] { return stopping || round.load(std::memory_order_relaxed) != seen; });
+            if (stopping) return;
+            seen = round.load(std::memory_order_relaxed);
+            if (!open) continue;  // too late: the others have done it all
+            working.fetch_add(1, std::memory_order_relaxed);
+            lock.unlock();
             take_bands(thread);
-            const std::lock_guard lock(mutex);
-            if (--working == 0) done.notify_one();
+            lock.lock();
+            if (working.fetch_sub(1, std::memory_order_relaxed) == 1) done.notify_one();
         }
     }
 };
@@ -120,14 +124,19 @@ void Pool::run(int rows, Call call, void* work) {
         shared_->rows = rows;
         shared_->band = band;
         shared_->next.store(0, std::memory_order_relaxed);
-        shared_->working = helpers;
-        ++shared_->round;
+        shared_->open = true;
+        shared_->round.fetch_add(1, std::memory_order_relaxed);
     }
     shared_->wake.notify_all();
     shared_->take_bands(0);
-    watch([&] { return shared_->working.load(std::memory_order_acquire) == 0; });
+    const auto all_done = [&] { return shared_->working.load(std::memory_order_relaxed) == 0; };
+    {
+        const std::lock_guard lock(shared_->mutex);
+        shared_->open = false;  // whoever has not joined yet need not be waited for
+    }
+    watch(all_done);
     std::unique_lock lock(shared_->mutex);
-    shared_->done.wait(lock, [&] { return shared_->working == 0; });
+    shared_->done.wait(lock, all_done);
 }
 
 }  // namespace whorl

@@ -151,8 +151,9 @@ void Simulation::advect() {
         u.add(state_.velocity.u, next_velocity_.u);
         v.add(state_.velocity.v, next_velocity_.v);
     }
-    const std::size_t together =
-        !solved ? 1 : scalars_mover_.schemes() == velocity_mover_.schemes() ? groups.size() : 1;
+    const std::size_t together = !solved                                                 ? 1
+                                 : scalars_mover_.schemes() == velocity_mover_.schemes() ? groups.size()
+                                                                                         : 1;
     const auto move = [&](Mover& mover, Groups which) {
         mover.advect(which, state_.velocity, scene_.dt, state_.boundary, *pool_);
     };

@@ -1,8 +1,8 @@
 // The classical fourth-order Runge-Kutta rule along the flow.
 #pragma once
 
-#include "core/tracing/point.h"
 #include "core/schemes/scheme.h"
+#include "core/tracing/point.h"
 
 namespace whorl {
 

@@ -30,8 +30,8 @@ std::string named(const SchemeSet& s) {
     return std::string(s.advector.key()) + " " + std::string(s.stencil.key()) + " " + std::to_string(s.zeta);
 }
 
-/// Bilinear values meet at cell borders but gradients do not: a point that rounding moves across a border takes
-/// another gradient. Such nodes are few; all others agree.
+/// Bilinear values meet at cell borders but gradients do not: a point that rounding moves across a border
+/// takes another gradient. Such nodes are few; all others agree.
 void expect_equal_nearly_everywhere(const SchemeSet& schemes, const Domain& domain, double cfl) {
     const Stirred from(domain, cfl);
     const Moved lattice = move(schemes, from, {.threads = 2});
@@ -67,8 +67,8 @@ TEST(Lattice, EqualsThePlainForm) {
 }
 
 TEST(Lattice, EqualsThePlainFormOverTilesAndTinyGrids) {
-    for (const Grid grid : {Grid{300, 9, 1}, Grid{127, 5, 1}, Grid{128, 5, 1}, Grid{4, 4, 1}, Grid{65, 3, 1},
-                            Grid{1, 7, 1}}) {
+    for (const Grid grid :
+         {Grid{300, 9, 1}, Grid{127, 5, 1}, Grid{128, 5, 1}, Grid{4, 4, 1}, Grid{65, 3, 1}, Grid{1, 7, 1}}) {
         for (const auto sides : {Sides::of<Box>(), Sides::of<Periodic>()}) {
             expect_equal_nearly_everywhere(affine(advectors[0], stencils[0], 2), {grid, sides}, 2.3);
         }

@@ -30,9 +30,12 @@ Stirred::Stirred(const Domain& domain, double cfl) : boundary(domain.grid, domai
     density = boundary.field(Site::Centre);
     temperature = boundary.field(Site::Centre);
     const double speed = cfl * grid.h;
-    write(velocity.u, [&](double x, double y) { return speed * std::sin(0.31 * x + 0.2) * std::cos(0.23 * y); });
-    write(velocity.v, [&](double x, double y) { return speed * std::cos(0.17 * x) * std::sin(0.29 * y + 1); });
-    write(density, [](double x, double y) { return std::fmod(0.37 * x + 0.61 * y, 1.0) + std::sin(0.4 * x); });
+    write(velocity.u,
+          [&](double x, double y) { return speed * std::sin(0.31 * x + 0.2) * std::cos(0.23 * y); });
+    write(velocity.v,
+          [&](double x, double y) { return speed * std::cos(0.17 * x) * std::sin(0.29 * y + 1); });
+    write(density,
+          [](double x, double y) { return std::fmod(0.37 * x + 0.61 * y, 1.0) + std::sin(0.4 * x); });
     write(temperature, [](double x, double y) { return 5 + std::sin(0.21 * x * y); });
     boundary.enforce(velocity);
     boundary.fill(density);

@@ -92,8 +92,8 @@ const bool registered = [] {
         benchmark::RegisterBenchmark("copy", copying)->Arg(kilobytes)->Threads(2)->UseRealTime();
     }
     for (const Setup& setup : setups) {
-        auto* bench = benchmark::RegisterBenchmark((std::string("advect/") + setup.name).c_str(), advection,
-                                                   setup);
+        auto* bench =
+            benchmark::RegisterBenchmark((std::string("advect/") + setup.name).c_str(), advection, setup);
         bench->ArgNames({"n", "threads"})->Unit(benchmark::kMillisecond)->UseRealTime();
         for (const int threads : {1, 2}) {
             for (const int n : {128, 256, 512, 1024, 2048}) bench->Args({n, threads});
