@@ -115,6 +115,11 @@ bool GlfwWindow::closing() const {
     return glfwWindowShouldClose(window_) == GLFW_TRUE;
 }
 
+void GlfwWindow::hide() {
+    glfwHideWindow(window_);
+    glfwPollEvents();  // sends the request
+}
+
 void GlfwWindow::close() {
     glfwSetWindowShouldClose(window_, GLFW_TRUE);
 }

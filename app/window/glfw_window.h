@@ -21,6 +21,8 @@ class GlfwWindow {
 
     bool closing() const;
     void close();
+    /// Takes the window off the screen.
+    void hide();
     const Theme& theme() const { return theme_; }
     int framebuffer_width() const { return width_; }
     int framebuffer_height() const { return height_; }

@@ -8,6 +8,7 @@ int run_window(const WindowOptions& options) {
     GlfwWindow window(options);
     Workbench workbench(options, window);
     while (!window.closing()) workbench.frame();
+    window.hide();  // at once, though the solver may still be in the middle of a long step
     return 0;
 }
 
