@@ -34,9 +34,9 @@ Grid Scene::grid() const {
 }
 
 std::string conflict(const Scene& scene) {
-    const std::string velocity = conflict_of(scene.velocity, "velocity", scene);
+    std::string velocity = conflict_of(scene.velocity, "velocity", scene);
     if (!velocity.empty()) return velocity;
-    const std::string scalars = conflict_of(scene.scalars, "scalars", scene);
+    std::string scalars = conflict_of(scene.scalars, "scalars", scene);
     if (!scalars.empty() || scene.obstacles.empty()) return scalars;
     const PressureSolverEntry& solver = pressure_solvers()[scene.pressure];
     const std::string_view reason = solver.refuses(boundary_of(scene));
