@@ -29,8 +29,8 @@ TEST(Stencil, StaysInItsCellAndSumsToOne) {
             for (int zeta = 0; zeta <= 4; ++zeta) {
                 for (const int dimensions : {1, 2}) {
                     double sum = 0;
-                    for (const Particle& p :
-                         Stencil(Stencils::Id::at(k), zeta, Weights::Id::at(w), dimensions, 1).particles()) {
+                    const Stencil stencil(Stencils::Id::at(k), zeta, Weights::Id::at(w), dimensions, 1);
+                    for (const Particle& p : stencil.particles()) {
                         EXPECT_LE(std::abs(p.offset.x), Real(0.5));
                         EXPECT_LE(std::abs(p.offset.y), dimensions == 1 ? Real(0) : Real(0.5));
                         EXPECT_GT(p.weight, 0);
@@ -58,8 +58,8 @@ TEST(Stencil, WeighsByTheThesisFormulas) {
 TEST(Stencil, JitterFollowsItsSeed) {
     const auto offsets = [](std::uint64_t seed) {
         std::vector<Vec2> all;
-        for (const Particle& p : Stencil(Stencils::of<Jittered>(), 2, {}, 2, seed).particles())
-            all.push_back(p.offset);
+        const Stencil stencil(Stencils::of<Jittered>(), 2, {}, 2, seed);
+        for (const Particle& p : stencil.particles()) all.push_back(p.offset);
         return all;
     };
     EXPECT_EQ(offsets(5), offsets(5));
