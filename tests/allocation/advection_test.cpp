@@ -1,41 +1,8 @@
 // Advection allocates in its first step, and in none after it.
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <cstdlib>
-#include <new>
-
 #include "tests/advection/scheme_step.h"
-
-namespace {
-std::atomic<long> allocations{0};
-
-void* counted(std::size_t size, std::size_t alignment) {
-    allocations.fetch_add(1, std::memory_order_relaxed);
-    const std::size_t whole = (size + alignment - 1) / alignment * alignment;
-    if (void* memory = std::aligned_alloc(alignment, whole)) return memory;
-    throw std::bad_alloc();
-}
-}  // namespace
-
-void* operator new(std::size_t size) {
-    return counted(size, alignof(std::max_align_t));
-}
-void* operator new(std::size_t size, std::align_val_t alignment) {
-    return counted(size, static_cast<std::size_t>(alignment));
-}
-void operator delete(void* memory) noexcept {
-    std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-    std::free(memory);
-}
-void operator delete(void* memory, std::align_val_t) noexcept {
-    std::free(memory);
-}
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
-    std::free(memory);
-}
+#include "tests/support/allocations.h"
 
 namespace whorl {
 namespace {
@@ -64,10 +31,10 @@ TEST(Advection, AllocatesOnlyInItsFirstStep) {
                     mover.advect(groups, from.velocity, 1, from.boundary, pool);
                 };
                 step();
-                const long before = allocations.load();
+                const long before = test::allocations();
                 for (int k = 0; k < 3; ++k) step();
-                EXPECT_EQ(allocations.load(), before) << schemes.advector.key() << " over "
-                                                      << schemes.base.key() << ", " << schemes.stencil.key();
+                EXPECT_EQ(test::allocations(), before) << schemes.advector.key() << " over "
+                                                       << schemes.base.key() << ", " << schemes.stencil.key();
             }
         }
     }
