@@ -48,7 +48,7 @@ void check_exact(const ConvergeArguments& arguments) {
     Field exact = Boundary(scene.grid(), scene.sides).field(Site::Centre);
     if (!e.exact(scene.steps * scene.dt, scene.dt, scene.grid(), exact)) {
         throw InputError("the exact solution of " + arguments.experiment + " is not known at step " +
-                         std::to_string(scene.steps) + "; set steps to where it is");
+                         std::to_string(scene.steps) + "; it is known " + std::string(e.known));
     }
 }
 
@@ -57,6 +57,10 @@ void check_exact(const ConvergeArguments& arguments) {
 int run_converge(const ConvergeArguments& arguments) {
     check_exact(arguments);
     check_nested(arguments.resolutions);
+    for (const std::string& setting : arguments.set) {
+        if (setting.starts_with("resolution="))
+            throw InputError("--resolutions sets the resolution, not --set");
+    }
     Pool pool(arguments.threads);
     std::printf("%-8s  %-10s  %-5s  %-10s  %-5s  %-10s  %-5s\n", "h", "L1", "rate", "L2", "rate", "Linf",
                 "rate");

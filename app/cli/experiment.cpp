@@ -25,6 +25,7 @@ int run_experiment(const ExperimentArguments& arguments) {
     Scene scene = scene_of(experiment(arguments.scene));
     apply_settings(scene, arguments.set);
     const std::vector<int>& at = arguments.at;
+    if (!at.empty() && arguments.steps) throw InputError("--at and --steps both say where to end; give one");
     const int steps =
         !at.empty() ? *std::max_element(at.begin(), at.end()) : arguments.steps.value_or(scene.steps);
     if (steps < 0 || std::any_of(at.begin(), at.end(), [](int step) { return step < 0; })) {

@@ -15,7 +15,11 @@ namespace whorl::app {
 namespace {
 
 const ColourMap* map_of(const RunArguments& arguments) {
-    if (arguments.map.empty()) return nullptr;
+    if (arguments.map.empty()) {
+        // On paper what grows from 0 goes from white to black, as in the thesis.
+        return arguments.light && view(arguments.view).middle == nullptr ? find_colour_map("white-black")
+                                                                         : nullptr;
+    }
     if (const ColourMap* map = find_colour_map(arguments.map)) return map;
     std::vector<std::string_view> keys;
     for (const ColourMap& map : colour_maps()) keys.push_back(map.key);
@@ -52,7 +56,13 @@ PictureOutput::PictureOutput(const RunArguments& arguments) : arguments_(argumen
     view(arguments.view);
     map_of(arguments);
     range_of(arguments);
-    if (arguments.picture == "-") throw InputError("--picture takes the name of a file, not -");
+    if (!arguments.picture.empty() && !arguments.picture.ends_with(".png")) {
+        throw InputError("--picture = " + arguments.picture +
+                         ": pictures are PNG; give a name that ends in .png");
+    }
+    if (arguments.picture.empty() && (arguments.view != "density" || !arguments.map.empty())) {
+        throw InputError("--view and --map are of the picture; give --picture FILE.png too");
+    }
     for (const std::string& file : {arguments.csv, arguments.timing, arguments.picture}) {
         if (!file.empty() && file != "-") check_writable(file);
     }

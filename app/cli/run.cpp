@@ -1,5 +1,6 @@
 // `whorl run`: a scene without a window.
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <optional>
 #include <vector>
@@ -7,6 +8,7 @@
 #include "app/cli/headless.h"
 #include "app/cli/progress.h"
 #include "app/cli/verbs.h"
+#include "app/plot/ticks.h"
 #include "app/scenes/presets.h"
 #include "core/io/series.h"
 #include "core/scene/error.h"
@@ -90,9 +92,11 @@ int run_scene(const RunArguments& arguments) {
     picture.write(lane, pool);
     if (arguments.csv.empty() && arguments.timing.empty()) {
         const Measures& m = lane.simulation().measures();
-        std::printf(
-            "%s: step %ld, t = %g, density %.2f %% of what was put in, kinetic energy %.4g, enstrophy %.4g\n",
-            arguments.scene.c_str(), m.step, m.time, m.density_percent, m.kinetic_energy, m.enstrophy);
+        const std::string smoke = std::isfinite(m.density_percent)
+                                      ? "density " + figure(m.density_percent) + " % of what was put in"
+                                      : "no smoke";
+        std::printf("%s: step %ld, t = %g, %s, kinetic energy %.4g, enstrophy %.4g\n",
+                    arguments.scene.c_str(), m.step, m.time, smoke.c_str(), m.kinetic_energy, m.enstrophy);
     }
     return 0;
 }

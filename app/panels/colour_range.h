@@ -14,7 +14,8 @@ class ColourRange {
     void set(Range ends);
 
     /// Brings the range towards what a view's field spans, unless it is held. Another view starts afresh.
-    /// @param seconds  since the last call
+    /// @param seconds  since the last call; `at_once` goes all the way
+    static constexpr double at_once = 1e6;
     void follow(const View& view, Range span, double seconds);
 
   private:

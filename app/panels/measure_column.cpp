@@ -101,7 +101,7 @@ std::optional<double> draw(PanelContext& context, const Chart& chart, float heig
     plot.log_y = chart.logarithmic;
     plot.y_range = range_of(chart, series.front().y);
     plot.marker = context.view.marker;
-    if (chart.when == Chart::When::Exact) plot.empty_text = "no exact solution at these times";
+    if (chart.when == Chart::When::Exact) plot.empty_text = "no exact solution so far";
     plot.size = {0, height};
     return draw_card(context, plot, series);
 }

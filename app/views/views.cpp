@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/plot/ticks.h"
+#include "core/experiments/experiment.h"
 #include "core/scene/error.h"
 #include "core/schemes/suggest.h"
 
@@ -102,8 +103,10 @@ Image picture_of(const Snapshot& snapshot, const PictureStyle& style, PictureRen
     Field scratch;
     const Field* field = style.view->field(snapshot, scratch);
     if (field == nullptr) {
+        const std::string_view when = experiment(snapshot.scene.experiment).known;
+        const std::string known = when.empty() ? "" : "; the exact solution is known " + std::string(when);
         throw InputError("there is no " + std::string(style.view->key) + " to show at step " +
-                         std::to_string(snapshot.measures.step) + " of " + snapshot.scene.experiment);
+                         std::to_string(snapshot.measures.step) + " of " + snapshot.scene.experiment + known);
     }
     const Range range = style.range ? *style.range : style.view->automatic_range(snapshot, *field);
     const ColourMap* map = style.map ? style.map : find_colour_map(style.view->map);

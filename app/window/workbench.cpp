@@ -91,7 +91,9 @@ void Workbench::take_run() {
         serial_ = s.serial;
         ranged_ = view_.shown;
     }
-    view_.range.follow(*view_.shown, span_, 1e-3 * clock_.interval_ms());
+    // A field that stands still is shown on its own range, so that its picture depends on the step alone.
+    const double seconds = remote_.playing() ? 1e-3 * clock_.interval_ms() : ColourRange::at_once;
+    view_.range.follow(*view_.shown, span_, seconds);
 }
 
 void Workbench::act_on(const InputEvent& event) {

@@ -21,6 +21,8 @@ struct Experiment {
     void (*flow)(double time, const Grid&, FaceVelocity&);
     /// Writes the exact density at a time. @return false where it is not known
     bool (*exact)(double time, double dt, const Grid&, Field& density);
+    /// When the exact density is known, in words; empty where it never is.
+    std::string_view known = {};
     /// Whether it is a test to be measured and compared, not only a place to begin.
     bool listed = true;
 };

@@ -8,7 +8,7 @@ namespace whorl {
 // 480.
 Experiment plume() {
     return {.info = {"plume", "Rising plume", "thesis sec. 5.4",
-                     "Warm smoke rises from an emitter at the bottom of a closed box."},
+                     "Warm smoke rises in a closed box from an emitter that works for 600 steps."},
             .setup =
                 [](Scene& s) {
                     s.alpha = 0.5;

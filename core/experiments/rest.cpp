@@ -17,7 +17,8 @@ Experiment rest() {
                 [](double, double, const Grid& grid, Field& q) {
                     write_annulus(grid, {20, 30}, q);
                     return true;
-                }};
+                },
+            .known = "always"};
 }
 
 }  // namespace whorl

@@ -40,7 +40,8 @@ Experiment rotation() {
             .setup = thesis_test,
             .start = [](State& s) { write_annulus(s.grid(), centre, s.density); },
             .flow = flow,
-            .exact = exact};
+            .exact = exact,
+            .known = "every 10 units of time: steps 600, 1200 … of Δt = 1/60"};
 }
 
 }  // namespace whorl

@@ -51,7 +51,8 @@ Experiment taylor_green() {
                 [](double, double, const Grid& grid, Field& q) {
                     write_smoke(grid, q);
                     return true;
-                }};
+                },
+            .known = "always"};
 }
 
 }  // namespace whorl

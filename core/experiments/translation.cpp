@@ -17,7 +17,8 @@ Experiment translation() {
                 [](double time, double, const Grid& grid, Field& q) {
                     write_annulus(grid, {10 + time, 10 + time}, q);
                     return true;
-                }};
+                },
+            .known = "always"};
 }
 
 }  // namespace whorl

@@ -21,7 +21,8 @@ Experiment translation_1d() {
                 [](double time, double, const Grid& grid, Field& q) {
                     write_annulus(grid, {10 + time, 0}, q);
                     return true;
-                }};
+                },
+            .known = "always"};
 }
 
 }  // namespace whorl

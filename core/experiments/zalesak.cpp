@@ -49,7 +49,8 @@ Experiment zalesak() {
                 },
             .start = [](State& s) { write_disk(s.grid(), s.density); },
             .flow = flow,
-            .exact = exact};
+            .exact = exact,
+            .known = "every 20 units of time: steps 1200, 2400 … of Δt = 1/60"};
 }
 
 }  // namespace whorl

@@ -109,7 +109,8 @@ void read_obstacle(const Reader& reader, const toml::table& table, Scene& scene)
         {{"x", &o.x}, {"y", &o.y}, {"radius", &o.radius}, {"width", &o.width}, {"height", &o.height}});
     const bool disc = o.radius > 0 && o.width == 0 && o.height == 0;
     const bool rectangle = o.radius == 0 && o.width > 0 && o.height > 0;
-    if (!disc && !rectangle) reader.fail(table.source(), "an obstacle has a radius, or a width and a height");
+    if (!disc && !rectangle)
+        reader.fail(table.source(), "an obstacle has a radius, or a width and a height, more than 0");
     scene.obstacles.push_back(o);
 }
 

@@ -33,6 +33,9 @@ std::string suggestion(std::string_view word, std::span<const std::string_view> 
         return distance(word, a) < distance(word, b);
     });
     if (nearest.size() > most) nearest.resize(most);
+    // What is much farther off than the best is no help.
+    while (nearest.size() > 1 && distance(word, nearest.back()) > distance(word, nearest.front()) + 1)
+        nearest.pop_back();
     std::string text = "did you mean ";
     for (std::size_t k = 0; k < nearest.size(); ++k) {
         if (k > 0) text += k + 1 == nearest.size() ? " or " : ", ";

@@ -80,6 +80,12 @@ TEST_F(CommandLine, RunsAPresetAndWritesARowAStep) {
         << o.out;
 }
 
+TEST_F(CommandLine, SaysSoWhereThereIsNoSmoke) {
+    const Outcome o = whorl("run empty --steps 2 --set resolution=16");
+    EXPECT_EQ(o.code, 0);
+    EXPECT_NE(o.out.find("no smoke"), std::string::npos) << o.out;
+}
+
 TEST_F(CommandLine, WritesSeriesTimingAndPicture) {
     const Outcome o =
         whorl("run plume-obstacle --steps 20 --set resolution=32 --csv a.csv --timing t.csv --picture p.png");
@@ -123,7 +129,8 @@ TEST_F(CommandLine, Converges) {
     expect_refused(whorl("converge plume --resolutions 20,40"), "no exact solution");
     expect_refused(whorl("converge rotation --resolutions 40,70"), "70 is not a multiple of 40");
     expect_refused(whorl("converge rotation --resolutions 40"), "two or more");
-    expect_refused(whorl("converge rotation --set steps=7 --resolutions 20,40"), "not known at step 7");
+    expect_refused(whorl("converge rotation --set steps=7 --resolutions 20,40"),
+                   "not known at step 7; it is known every 10 units of time");
 }
 
 TEST_F(CommandLine, ListsEverything) {
@@ -156,6 +163,10 @@ TEST_F(CommandLine, RefusesBadInputInOneLine) {
     expect_refused(whorl("experiment rotaton"), "did you mean rotation");
     expect_refused(whorl("experiment rotation --at 3,x"), "3,x");
     expect_refused(whorl("run missing.toml"), "missing.toml");
+    expect_refused(whorl("run plume --steps 1 --picture p.jpg"), "PNG");
+    expect_refused(whorl("run plume --steps 1 --view speed"), "--picture");
+    expect_refused(whorl("experiment rotation --at 3 --steps 5"), "--at and --steps");
+    expect_refused(whorl("converge rotation --set resolution=40"), "--resolutions");
     EXPECT_EQ(files(), 0u);
 }
 
