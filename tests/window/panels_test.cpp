@@ -1,5 +1,6 @@
 // All panels for all scenes, drawn without a display.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstdio>
 #include <fstream>
@@ -17,7 +18,7 @@ namespace whorl::app {
 namespace {
 
 std::string drawn(HeadlessUi& ui, const Scene& scene, bool help) {
-    const std::string path = testing::TempDir() + "panels.trace";
+    const std::string path = testing::TempDir() + "panels-" + std::to_string(::getpid()) + ".trace";
     {
         Player player(scene, 1);
         player.step_once();
