@@ -16,8 +16,8 @@ using namespace whorl::app;
 
 int open_window(const WindowArguments& a) {
     WindowOptions options;
-    options.scene = find_scene(a.scene);
-    apply_settings(options.scene, a.set);
+    options.recording = find_run(a.scene);
+    apply_settings(options.recording.setup.scene, a.set);
     options.name = a.scene;
     options.threads = a.threads;
     options.content_scale = a.content_scale;

@@ -63,7 +63,7 @@ class Timing {
 }  // namespace
 
 int run_scene(const RunArguments& arguments) {
-    Scene scene = find_scene(arguments.scene);
+    Scene scene = find_run(arguments.scene).setup.scene;
     apply_settings(scene, arguments.set);
     const int steps = arguments.steps.value_or(scene.steps);
     if (steps < 0) throw InputError("--steps = " + std::to_string(steps) + " is out of range: 0 or more");

@@ -1,5 +1,7 @@
 #include "app/panels/history.h"
 
+#include <algorithm>
+
 namespace whorl::app {
 namespace {
 
@@ -25,13 +27,16 @@ History::History() {
     for (auto& track : tracks_) track.reserve(capacity);
 }
 
-void History::take(std::span<const Measures> measures, bool new_run) {
+void History::take(std::span<const StepMeasures> measures, int lane, bool new_run) {
     if (new_run) {
         steps_.clear();
         for (auto& track : tracks_) track.clear();
         stride_ = 1;
     }
-    for (const Measures& m : measures) add(m);
+    for (const StepMeasures& row : measures) {
+        const auto found = std::find(row.ids.begin(), row.ids.end(), lane);
+        if (found != row.ids.end()) add(row.lanes[static_cast<std::size_t>(found - row.ids.begin())]);
+    }
 }
 
 void History::add(const Measures& m) {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "core/measure/measures.h"
+#include "core/session/player.h"
 
 namespace whorl::app {
 
@@ -34,7 +34,7 @@ class History {
 
     History();
     /// @param new_run  whether the measures begin another run, so that the older ones go
-    void take(std::span<const Measures> measures, bool new_run);
+    void take(std::span<const StepMeasures> measures, int lane, bool new_run);
 
     std::span<const float> steps() const { return steps_; }
     std::span<const float> of(Track track) const { return tracks_[static_cast<std::size_t>(track)]; }

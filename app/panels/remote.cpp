@@ -1,6 +1,7 @@
 #include "app/panels/remote.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "core/scene/error.h"
 
@@ -13,40 +14,87 @@ std::string prefix_of(std::string_view key) {
     return dot == std::string_view::npos ? std::string() : std::string(key.substr(0, dot + 1));
 }
 
-// By then a snapshot shows whatever has been pushed: the step that was running and two more have ended.
-constexpr std::uint64_t settled_snapshots = 3;
-constexpr double settled_seconds = 0.3;
+void act(const Command& command, Setup& setup) {
+    if (const auto* edit = std::get_if<SetParameter>(&command)) {
+        set_parameter(setup.scene, edit->key, edit->value);
+    } else if (const auto* other = std::get_if<Arrange>(&command)) {
+        setup.lanes = other->lanes;
+        setup.reference = other->reference;
+    }
+}
+
+std::string label_of(const Parameter& p, double value) {
+    return p.kind == Parameter::Kind::Choice ? std::string(p.choices[static_cast<std::size_t>(value)].label)
+                                             : p.label;
+}
 
 }  // namespace
 
 void Remote::begin_frame() {
-    snapshot_ = &player_.newest();
+    session_ = &player_.newest();
     if (std::string complaint = player_.take_complaint(); !complaint.empty()) {
         notices_.warn(std::move(complaint));
-        edits_.clear();
     }
     settle();
 }
 
 void Remote::settle() {
-    // Edits act in order: with the last that shows, all before it have acted.
-    const auto acted = std::find_if(edits_.rbegin(), edits_.rend(), [&](const Edit& edit) {
-        return edit.parameter->get(snapshot_->scene) == edit.value;
-    });
-    edits_.erase(edits_.begin(), acted.base());
-    std::erase_if(edits_, [&](const Edit& edit) {
-        return snapshot_->serial >= edit.serial + settled_snapshots &&
-               notices_.time() > edit.time + settled_seconds;
-    });
-    scene_ = snapshot_->scene;
-    for (const Edit& edit : edits_) edit.parameter->set(scene_, edit.value);
+    while (!pending_.empty() && pending_.front().ticket <= session_->taken) pending_.pop_front();
+    setup_ = session_->setup;
+    for (const Pending& p : pending_) act(p.command, setup_);
+    choose_scene();
 }
 
-void Remote::push_edit(const Parameter& parameter, double value) {
-    std::erase_if(edits_, [&](const Edit& edit) { return edit.parameter == &parameter; });
-    edits_.push_back({&parameter, value, snapshot_->serial, notices_.time()});
-    parameter.set(scene_, value);
-    player_.push(SetParameter{parameter.key, parameter.text(value)});
+/// A lane that was just removed or whose edit is refused has no scene: then that of all.
+void Remote::choose_scene() {
+    scene_ = setup_.scene;
+    if (!lane_only_ || selected() >= setup_.lanes.size()) return;
+    try {
+        scene_ = lane_scene(setup_.scene, setup_.lanes[selected()]);
+    } catch (const InputError&) {
+        scene_ = snapshot().scene;
+    }
+}
+
+std::size_t Remote::selected() const {
+    const auto found = std::find(session_->ids.begin(), session_->ids.end(), selected_id_);
+    return found == session_->ids.end() ? 0 : static_cast<std::size_t>(found - session_->ids.begin());
+}
+
+void Remote::select(std::size_t lane) {
+    selected_id_ = session_->ids[lane];
+    choose_scene();
+}
+
+void Remote::set_lane_only(bool lane_only) {
+    lane_only_ = lane_only;
+    choose_scene();
+}
+
+void Remote::push(Command command) {
+    const std::uint64_t ticket = player_.push(command);
+    if (std::holds_alternative<SetParameter>(command) || std::holds_alternative<Arrange>(command))
+        pending_.push_back({ticket, std::move(command)});
+}
+
+Scene Remote::with(const Parameter& p, double value) const {
+    Scene wanted = scene_;
+    p.set(wanted, value);
+    return wanted;
+}
+
+void Remote::push_edit(const Parameter& p, double value) {
+    SetParameter edit{p.key, p.text(value)};
+    if (lane_only_ && selected() < setup_.lanes.size()) {
+        Arrange changed{setup_.lanes, std::vector<int>(setup_.lanes.size()), setup_.reference};
+        std::iota(changed.from.begin(), changed.from.end(), 0);
+        changed.lanes[selected()].set(std::move(edit));
+        push(std::move(changed));
+    } else {
+        push(std::move(edit));
+    }
+    act(pending_.back().command, setup_);
+    choose_scene();
 }
 
 void Remote::set(const Parameter& p, double value) {
@@ -56,41 +104,48 @@ void Remote::set(const Parameter& p, double value) {
         notices_.warn(e.what());
         return;
     }
-    Scene wanted = scene_;
-    p.set(wanted, value);
-    if (!conflict(wanted).empty()) {
+    if (!conflict(with(p, value)).empty()) {
         // A scheme that needs linear sampling brings it along; anything else is the run's to refuse.
         const Parameter& interpolation = parameter(prefix_of(p.key) + "interpolation");
         const double linear = interpolation.parse(Linear::info.key);
-        interpolation.set(wanted, linear);
-        if (&p != &interpolation && conflict(wanted).empty()) {
-            const double before = interpolation.get(scene_);
+        const double before = interpolation.get(scene_);
+        Scene both = with(p, value);
+        interpolation.set(both, linear);
+        if (&p != &interpolation && conflict(both).empty()) {
             push_edit(interpolation, linear);
-            notices_.info(interpolation.label + " is now " +
-                          std::string(interpolation.choices[static_cast<std::size_t>(linear)].label) +
-                          " (was " +
-                          std::string(interpolation.choices[static_cast<std::size_t>(before)].label) + "): " +
-                          std::string(p.kind == Parameter::Kind::Choice
-                                          ? p.choices[static_cast<std::size_t>(value)].label
-                                          : std::string_view(p.label)) +
+            notices_.info(interpolation.label + " is now " + label_of(interpolation, linear) + " (was " +
+                          label_of(interpolation, before) + "): " + label_of(p, value) +
                           " takes values and gradients from linear weights [thesis eq. 4.2–4.3]");
         }
     }
     push_edit(p, value);
 }
 
-void Remote::load(std::string_view key, const Scene& scene) {
+bool Remote::overridden(const Parameter& p) const {
+    if (selected() >= setup_.lanes.size()) return false;
+    const auto& overrides = setup_.lanes[selected()].overrides;
+    return std::any_of(overrides.begin(), overrides.end(),
+                       [&](const SetParameter& o) { return o.key == p.key; });
+}
+
+void Remote::arrange(Arrange arrange) {
     try {
-        player_.load(scene);
-        loaded_ = key;
-        edits_.clear();
+        lane_scenes({setup_.scene, arrange.lanes, arrange.reference});
+        push(std::move(arrange));
     } catch (const InputError& e) {
         notices_.warn(e.what());
     }
 }
 
-void Remote::restart() {
-    player_.push(Restart{});
+void Remote::load(std::string_view key, Recording recording) {
+    try {
+        player_.load(std::move(recording));
+        loaded_ = key;
+        pending_.clear();
+        lane_only_ = false;
+    } catch (const InputError& e) {
+        notices_.warn(e.what());
+    }
 }
 
 void Remote::set_pace(Pace pace) {

@@ -2,9 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
+#include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "app/panels/notices.h"
 #include "core/scene/parameters.h"
@@ -21,46 +22,69 @@ class Remote {
     /// Takes the newest snapshot and complaints; call once a frame, before anything reads.
     void begin_frame();
 
-    /// The newest finished state. Valid until the next begin_frame.
-    const Snapshot& snapshot() const { return *snapshot_; }
-    /// The scene as chosen: the snapshot's, with the edits that have not acted yet.
+    /// The newest finished state of all lanes. Valid until the next begin_frame.
+    const SessionSnapshot& session() const { return *session_; }
+    /// That of the selected lane.
+    const Snapshot& snapshot() const { return session_->lanes[selected()]; }
+    /// Scene and lanes as chosen: the snapshot's, with the edits that have not acted yet.
+    const Setup& setup() const { return setup_; }
+    /// The scene that the controls show and set: of all lanes, or the selected one's.
     const Scene& scene() const { return scene_; }
-    /// Key of the preset or experiment that was loaded last.
+    /// Key of the preset, experiment or file that was loaded last.
     const std::string& loaded() const { return loaded_; }
 
-    /// Sets a parameter. A scheme that samples linearly takes linear interpolation along, and says so.
+    /// The lane that is looked at where only one can be. A place in session().lanes.
+    std::size_t selected() const;
+    void select(std::size_t lane);
+    /// Whether the controls set the selected lane's overrides instead of the scene of all lanes.
+    bool lane_only() const { return lane_only_; }
+    void set_lane_only(bool lane_only);
+
+    /// Sets a parameter, of all lanes or of the selected one. A scheme that samples linearly takes linear
+    /// interpolation along, and says so.
     void set(const Parameter& parameter, double value);
-    void push(Command command) { player_.push(std::move(command)); }
-    /// Begins another scene; a refusal is a notice.
-    void load(std::string_view key, const Scene& scene);
+    /// Whether the selected lane has a value of its own for a parameter.
+    bool overridden(const Parameter& parameter) const;
+    /// Other lanes; a refusal is a notice.
+    void arrange(Arrange arrange);
+    void push(Command command);
+    /// Begins another run; a refusal is a notice.
+    void load(std::string_view key, Recording recording);
     void set_loaded(std::string_view key) { loaded_ = key; }
-    void restart();
+    void restart() { push(Restart{}); }
     void play(bool playing) { player_.play(playing); }
     bool playing() const { return player_.playing(); }
     void step() { player_.step_once(); }
+    void seek(long step) { player_.seek(step); }
+    std::optional<long> sought() const { return player_.sought(); }
     void set_pace(Pace pace);
     Pace pace() const { return pace_; }
     Notices& notices() const { return notices_; }
     double steps_per_second() const { return player_.steps_per_second(); }
 
   private:
-    struct Edit {
-        const Parameter* parameter;
-        double value;
-        std::uint64_t serial;  ///< of the snapshot that was shown when it was made
-        double time;
+    /// A command that no snapshot shows yet.
+    struct Pending {
+        std::uint64_t ticket;
+        Command command;
     };
 
-    void push_edit(const Parameter& parameter, double value);
     void settle();
+    void choose_scene();
+    /// The scene as it would be with this value.
+    Scene with(const Parameter& parameter, double value) const;
+    void push_edit(const Parameter& parameter, double value);
 
     Player& player_;
     Notices& notices_;
-    const Snapshot* snapshot_ = nullptr;
+    const SessionSnapshot* session_ = nullptr;
+    Setup setup_;
     Scene scene_;
     std::string loaded_;
     Pace pace_;
-    std::vector<Edit> edits_;  ///< pushed, not seen in a snapshot yet
+    int selected_id_ = 0;
+    bool lane_only_ = false;
+    std::deque<Pending> pending_;
 };
 
 }  // namespace whorl::app

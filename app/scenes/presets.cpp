@@ -4,7 +4,8 @@
 #include <vector>
 
 #include "core/experiments/experiment.h"
-#include "core/io/scene_file.h"
+#include "core/io/png.h"
+#include "core/io/run_file.h"
 #include "core/scene/error.h"
 #include "core/schemes/suggest.h"
 #include "scenes.h"  // made by CMake from app/scenes/*.toml
@@ -21,19 +22,37 @@ std::span<const Preset> presets() {
     return table;
 }
 
-Scene Preset::scene() const {
-    return parse_scene(text, key);
+namespace {
+
+Recording read_picture_run(std::string_view name) {
+    std::vector<TextChunk> chunks;
+    try {
+        read_png(name, &chunks);
+    } catch (const std::runtime_error& e) {
+        throw InputError(e.what());
+    }
+    for (const auto& [key, text] : chunks) {
+        if (key == run_chunk) return parse_run(text, name);
+    }
+    throw InputError(std::string(name) + ": this picture carries no run of Whorl");
 }
 
-Scene find_scene(std::string_view name) {
-    if (name.ends_with(".toml") || name.find('/') != std::string_view::npos) return read_scene(name);
+}  // namespace
+
+Scene Preset::scene() const {
+    return parse_run(text, key).setup.scene;
+}
+
+Recording find_run(std::string_view name) {
+    if (name.ends_with(".png")) return read_picture_run(name);
+    if (name.ends_with(".toml") || name.find('/') != std::string_view::npos) return read_run(name);
     std::vector<std::string_view> keys;
     for (const Preset& preset : presets()) {
-        if (preset.key == name) return preset.scene();
+        if (preset.key == name) return parse_run(preset.text, preset.key);
         keys.push_back(preset.key);
     }
     for (const Experiment& e : experiments()) {
-        if (e.info.key == name) return scene_of(e);
+        if (e.info.key == name) return {.setup = {.scene = scene_of(e)}, .commands = {}};
         if (std::find(keys.begin(), keys.end(), e.info.key) == keys.end()) keys.push_back(e.info.key);
     }
     throw InputError("unknown preset \"" + std::string(name) + "\"; " + suggestion(name, keys));

@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-#include "core/scene/scene.h"
+#include "core/session/recording.h"
 
 namespace whorl::app {
 
@@ -18,9 +18,9 @@ struct Preset {
 /// All presets, in the order of the keys 1 to 9.
 std::span<const Preset> presets();
 
-/// The scene called `name`: a preset, an experiment, or a scene file where the name ends in .toml or has a
-/// slash.
+/// The run called `name`: a preset, an experiment, or where the name ends in .toml or .png or has a slash, a
+/// file of a scene or a run, or a picture that carries one.
 /// @throws InputError that names the nearest keys, or what is wrong in the file
-Scene find_scene(std::string_view name);
+Recording find_run(std::string_view name);
 
 }  // namespace whorl::app

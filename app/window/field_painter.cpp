@@ -28,13 +28,14 @@ void FieldPainter::clear(const Theme& theme, const Slabs& slabs, int framebuffer
     glDisable(GL_SCISSOR_TEST);
 }
 
-void FieldPainter::draw(const Snapshot& snapshot, const Field& field, const ViewState& view,
-                        const FieldPlacement& place, const Theme& theme, int framebuffer_height) {
+void FieldPainter::draw(const Snapshot& snapshot, std::uint64_t serial, const Field& field,
+                        const ViewState& view, const FieldPlacement& place, const Theme& theme,
+                        int framebuffer_height) {
     if (!place.drawn()) return;
-    if (serial_ != snapshot.serial || view_ != view.shown) {
+    if (serial_ != serial || view_ != view.shown) {
         texture_.upload(field);
         solids_.upload(snapshot.solids, snapshot.grid.nx, snapshot.grid.ny);
-        serial_ = snapshot.serial;
+        serial_ = serial;
         view_ = view.shown;
     }
     FieldDraw draw;

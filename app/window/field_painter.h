@@ -16,7 +16,7 @@ class FieldPainter {
     static void clear(const Theme& theme, const Slabs& slabs, int framebuffer_height);
     /// Draws the field where it belongs.
     /// @param field  what the chosen view shows of the snapshot
-    void draw(const Snapshot& snapshot, const Field& field, const ViewState& view,
+    void draw(const Snapshot& snapshot, std::uint64_t serial, const Field& field, const ViewState& view,
               const FieldPlacement& place, const Theme& theme, int framebuffer_height);
 
   private:

@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "core/io/png.h"
-#include "core/io/scene_file.h"
+#include "core/io/run_file.h"
 
 namespace whorl::app {
 namespace {
@@ -52,10 +52,11 @@ void PictureTaker::take(const Snapshot& snapshot, const ViewState& view, Notices
                                   .arrows = view.arrows},
                                  *renderer_);
         writing_ = std::async(
-            std::launch::async, [image = std::move(image), scene = write_scene(snapshot.scene)]() -> Outcome {
+            std::launch::async,
+            [image = std::move(image), run = write_run({.setup = {.scene = snapshot.scene}})]() -> Outcome {
                 const std::filesystem::path path = next_path();
                 try {
-                    const TextChunk text[] = {{"Software", "Whorl " WHORL_VERSION}, {"Scene", scene}};
+                    const TextChunk text[] = {{"Software", "Whorl " WHORL_VERSION}, {run_chunk, run}};
                     write_png(path, image, text);
                     return {path.string(), ""};
                 } catch (const std::exception& e) {

@@ -80,10 +80,11 @@ void Trace::event(std::string_view name, std::string_view text) {
     std::fflush(file_);
 }
 
-void Trace::frame(const FrameLog& frames, double steps_per_second, bool playing, const Snapshot& s,
-                  double now) {
+void Trace::frame(const FrameLog& frames, double steps_per_second, bool playing,
+                  const SessionSnapshot& session, double now) {
     if (file_ == nullptr || now < next_frame_ || frames.frames() == 0) return;
     next_frame_ = now + period;
+    const Snapshot& s = session.lanes.front();
     const Scene& scene = s.scene;
     std::fprintf(file_,
                  "{\"event\":\"frame\",\"fps\":%s,\"frame_ms\":%s,\"work_ms\":%s,\"steps_per_second\":%s,"
@@ -93,7 +94,7 @@ void Trace::frame(const FrameLog& frames, double steps_per_second, bool playing,
                  number(frames.frames_per_second()).c_str(),
                  number(static_cast<double>(frames.intervals().back())).c_str(),
                  number(static_cast<double>(frames.work().back())).c_str(), number(steps_per_second).c_str(),
-                 playing ? "true" : "false", s.run, s.measures.step,
+                 playing ? "true" : "false", session.run, session.step,
                  quoted(scene.scalars.advector.key()).c_str(), quoted(scene.velocity.advector.key()).c_str(),
                  quoted(scene.scalars.interpolation.key()).c_str(), scene.scalars.zeta, s.grid.nx,
                  number(s.measures.density_percent).c_str(), number(total_density(s)).c_str(),

@@ -26,7 +26,7 @@ class Trace {
     void control(std::string_view key);
     void place(std::string_view key, float x, float y, float width, float height);
     void event(std::string_view name, std::string_view text);
-    void frame(const FrameLog& frames, double steps_per_second, bool playing, const Snapshot& snapshot,
+    void frame(const FrameLog& frames, double steps_per_second, bool playing, const SessionSnapshot& session,
                double now);
 
   private:

@@ -4,13 +4,13 @@
 #include <string>
 
 #include "app/window/no_opengl.h"
-#include "core/scene/scene.h"
+#include "core/session/recording.h"
 
 namespace whorl::app {
 
 struct WindowOptions {
-    Scene scene;
-    std::string name = "plume";  ///< preset, experiment or file the scene came from
+    Recording recording;
+    std::string name = "plume";  ///< preset, experiment or file it came from
     int threads = 0;             ///< of the solver; 0 takes one a core
     int width = 0, height = 0;   ///< of the window, pixels; 0 takes what suits the screen
     double content_scale = 0;    ///< framebuffer pixels to a point; 0 asks the screen

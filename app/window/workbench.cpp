@@ -44,7 +44,7 @@ std::unique_ptr<Player> make_player(const WindowOptions& options) {
                       [&] {
                           constexpr int niceness = 10;
                           setpriority(PRIO_PROCESS, 0, niceness);
-                          return std::make_unique<Player>(options.scene, options.threads);
+                          return std::make_unique<Player>(options.recording, options.threads);
                       })
         .get();
 }
@@ -54,7 +54,7 @@ std::unique_ptr<Player> make_player(const WindowOptions& options) {
 Workbench::Workbench(const WindowOptions& options, GlfwWindow& window)
     : window_(window), trace_(options.trace), player_(make_player(options)), remote_(*player_, notices_) {
     remote_.set_loaded(options.name);
-    player_->play(true);
+    player_->play(options.recording.step == 0);
 }
 
 void Workbench::frame() {
@@ -74,21 +74,21 @@ void Workbench::frame() {
     draw();
     window_.end_frame();
     pictures_.end_frame(remote_.snapshot(), view_, notices_, trace_);
-    trace_.frame(frames_, remote_.steps_per_second(), remote_.playing(), remote_.snapshot(), clock_.time());
+    trace_.frame(frames_, remote_.steps_per_second(), remote_.playing(), remote_.session(), clock_.time());
 }
 
 /// Takes the newest state, its measures, and the range of what is shown.
 void Workbench::take_run() {
     remote_.begin_frame();
     const bool new_run = player_->take_measures(measures_);
-    history_.take(measures_, new_run);
+    history_.take(measures_, remote_.session().ids[remote_.selected()], new_run);
     measures_.clear();
     const Snapshot& s = remote_.snapshot();
     if (!available(*view_.shown, s)) view_.shown = &views().front();
-    if (serial_ != s.serial || ranged_ != view_.shown) {
+    if (serial_ != remote_.session().serial || ranged_ != view_.shown) {
         field_ = view_.shown->field(s, scratch_);
         span_ = view_.shown->automatic_range(s, *field_);
-        serial_ = s.serial;
+        serial_ = remote_.session().serial;
         ranged_ = view_.shown;
     }
     // A field that stands still is shown on its own range, so that its picture depends on the step alone.
@@ -147,7 +147,7 @@ void Workbench::type(const InputEvent& event) {
     const int digit = event.code - '1';
     if (digit < 0 || digit >= static_cast<int>(presets().size())) return;
     const Preset& preset = presets()[static_cast<std::size_t>(digit)];
-    remote_.load(preset.key, preset.scene());
+    remote_.load(preset.key, {.setup = {.scene = preset.scene()}});
 }
 
 void Workbench::draw() {
@@ -175,7 +175,7 @@ void Workbench::draw() {
     ImGui::Render();
     // A view chosen this frame has its field from the next one on.
     painter_.clear(theme, slabs_, window_.framebuffer_height());
-    painter_.draw(s, *field_, view_, place_, theme, window_.framebuffer_height());
+    painter_.draw(s, remote_.session().serial, *field_, view_, place_, theme, window_.framebuffer_height());
 }
 
 }  // namespace whorl::app

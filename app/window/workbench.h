@@ -50,7 +50,7 @@ class Workbench {
     std::uint64_t serial_ = ~std::uint64_t{0};
     const View* ranged_ = nullptr;
     Range span_{0, 1};  ///< of the field on screen
-    std::vector<Measures> measures_;
+    std::vector<StepMeasures> measures_;
     std::unique_ptr<Player> player_;
     Remote remote_;
 };

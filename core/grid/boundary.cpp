@@ -41,6 +41,12 @@ void Boundary::set_solids(std::vector<std::uint8_t> mask) {
         rules_[static_cast<int>(site)] = make_rule(site);
 }
 
+std::size_t Boundary::bytes() const {
+    std::size_t sum = sizeof(Boundary) + mask_.size();
+    for (const SolidRule& r : rules_) sum += sizeof(Copy) * r.nearest.size() + sizeof(int) * r.closed.size();
+    return sum;
+}
+
 std::pair<int, int> Boundary::shape(Site site) const {
     return {grid_.nx + (site == Site::FaceX && !periodic_ ? 1 : 0),
             grid_.ny + (site == Site::FaceY && !periodic_ ? 1 : 0)};

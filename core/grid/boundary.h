@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -64,6 +65,9 @@ class Boundary {
     }
     /// Sets the normal velocity of every closed face to 0, and fills.
     void enforce(FaceVelocity& velocity) const;
+
+    /// Memory that a copy takes.
+    std::size_t bytes() const;
 
   private:
     /// Copies `from` to `to`, both offsets in a field's row-by-row order without ghosts.

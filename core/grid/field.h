@@ -39,6 +39,8 @@ class Field {
     const Real* row(int j) const { return values_.data() + index(0, j); }
 
     void set_all(Real value) { values_.assign(values_.size(), value); }
+    /// All values with the ghost border, row by row: the field's whole memory.
+    const std::vector<Real>& memory() const { return values_; }
     bool same_shape(const Field& other) const {
         return width_ == other.width_ && height_ == other.height_ && site_ == other.site_;
     }

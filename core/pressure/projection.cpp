@@ -20,7 +20,8 @@ void Projection::set_solver(std::size_t index, double tolerance) {
     keeper_.choose(index);
 }
 
-void Projection::look_at(const Boundary& boundary, Pool& pool) {
+/// Remembers a boundary, and says how it differs from the last one.
+SolverKeeper::Change Projection::take(const Boundary& boundary) {
     const Grid& grid = boundary.grid();
     auto change = SolverKeeper::Change::None;
     if (!(grid_ == grid) || periodic_ != boundary.periodic()) {
@@ -37,9 +38,25 @@ void Projection::look_at(const Boundary& boundary, Pool& pool) {
         periodic_ = boundary.periodic();
         solids_ = boundary.solids();
         components_ = Components(boundary);
-        components_.remove_means(p_, pool);  // 0 in cells that are solid now
     }
+    return change;
+}
+
+void Projection::look_at(const Boundary& boundary, Pool& pool) {
+    const SolverKeeper::Change change = take(boundary);
+    if (change != SolverKeeper::Change::None) components_.remove_means(p_, pool);  // 0 in cells now solid
     keeper_.follow(boundary, change, pool);
+}
+
+void Projection::restore(const Memory& memory, const Boundary& boundary, Pool& pool) {
+    const bool same = take(boundary) == SolverKeeper::Change::None;
+    if (memory.pressure.empty()) {
+        std::fill(p_.begin(), p_.end(), 0);
+    } else {
+        p_ = memory.pressure;
+    }
+    keeper_.restore(memory.solver, boundary, same, pool);
+    if (memory.new_walls) solids_.clear();
 }
 
 ProjectionReport Projection::project(FaceVelocity& velocity, double dt, const Boundary& boundary,

@@ -41,7 +41,21 @@ class Projection {
     ProjectionReport project(FaceVelocity& velocity, double dt, const Boundary& boundary, Field& pressure,
                              Pool& pool);
 
+    /// What a projection takes from those before it.
+    struct Memory {
+        std::vector<double> pressure;  ///< where an iteration starts; empty before the first projection
+        SolverKeeper::Memory solver;
+        bool new_walls = false;  ///< the next projection will see walls painted since the last one
+    };
+    /// @param boundary  of the next projection
+    Memory memory(const Boundary& boundary) const {
+        return {p_, keeper_.memory(), !solids_.empty() && solids_ != boundary.solids()};
+    }
+    /// Goes on from a memory of the same choice of solver and of this boundary; a default one begins anew.
+    void restore(const Memory& memory, const Boundary& boundary, Pool& pool);
+
   private:
+    SolverKeeper::Change take(const Boundary& boundary);
     void look_at(const Boundary& boundary, Pool& pool);
     double set_right(const FaceVelocity& velocity, double scale, Pool& pool);
     void correct(FaceVelocity& velocity, double factor, Pool& pool) const;

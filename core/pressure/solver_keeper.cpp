@@ -5,6 +5,11 @@
 #include "core/pressure/automatic.h"
 
 namespace whorl {
+namespace {
+
+constexpr std::string_view just_changed = "the walls have just changed";
+
+}  // namespace
 
 int SolverKeeper::projections_to_prepare(const Grid& grid) {
     constexpr int cells_a_projection = 4000;
@@ -32,16 +37,33 @@ void SolverKeeper::follow(const Boundary& boundary, Change change, Pool& pool) {
     }
     const std::string_view refusal = entry().refuses(boundary);
     const bool refused = !refusal.empty();
-    why_not_ = refused ? refusal : "the walls have just changed";
     returns_ = !anew && !refused && entry().slow_to_prepare;
-    standing_in_ = refused || returns_;
     at_rest_ = 0;
-    if (standing_in_) {
-        if (!stand_in_) stand_in_ = std::make_unique<Automatic>();
-        stand_in_->prepare(boundary, pool);
+    if (refused || returns_) {
+        stand_in(boundary, refused ? refusal : just_changed, pool);
     } else {
+        standing_in_ = false;
         chosen_->prepare(boundary, pool);
     }
+}
+
+void SolverKeeper::restore(const Memory& memory, const Boundary& boundary, bool same, Pool& pool) {
+    const bool as_it_is = same && this->memory().phase == Phase::Ready && memory.phase == Phase::Ready;
+    if (as_it_is) return;
+    prepared_ = returns_ = false;
+    if (memory.phase == Phase::Fresh) return;
+    if (memory.phase == Phase::Ready) return follow(boundary, Change::Domain, pool);
+    prepared_ = returns_ = true;
+    at_rest_ = memory.at_rest;
+    stand_in(boundary, just_changed, pool);
+    if (at_rest_ >= projections_at_rest) prepare_later(boundary);
+}
+
+void SolverKeeper::stand_in(const Boundary& boundary, std::string_view why_not, Pool& pool) {
+    standing_in_ = true;
+    why_not_ = why_not;
+    if (!stand_in_) stand_in_ = std::make_unique<Automatic>();
+    stand_in_->prepare(boundary, pool);
 }
 
 /// One preparation at a time: one that walls have outdated since is waited for on the new one's thread.

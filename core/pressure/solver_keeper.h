@@ -29,12 +29,26 @@ class SolverKeeper {
     /// To be called once a projection, before solver().
     void follow(const Boundary& boundary, Change change, Pool& pool);
 
+    /// Which solver the next projection of an unchanged boundary will use.
+    enum class Phase { Fresh, Ready, Painted };  ///< none prepared yet, the chosen one, one in its place
+    struct Memory {
+        Phase phase = Phase::Fresh;
+        int at_rest = 0;  ///< projections since the walls were painted
+    };
+    Memory memory() const {
+        return {!prepared_ ? Phase::Fresh : returns_ ? Phase::Painted : Phase::Ready, at_rest_};
+    }
+    /// Goes on from a memory of the same choice.
+    /// @param same  whether this boundary is the one that was last followed
+    void restore(const Memory& memory, const Boundary& boundary, bool same, Pool& pool);
+
     PressureSolver& solver() { return *(standing_in_ ? stand_in_ : chosen_); }
     /// Why another solver than the chosen one acts; empty if it does not.
     std::string_view why_not() const { return standing_in_ ? why_not_ : std::string_view(); }
 
   private:
     const PressureSolverEntry& entry() const { return pressure_solvers()[index_]; }
+    void stand_in(const Boundary& boundary, std::string_view why_not, Pool& pool);
     void prepare_later(const Boundary& boundary);
 
     std::size_t index_ = 0;

@@ -13,15 +13,11 @@ class Lane {
   public:
     Lane(Scene scene, Pool& pool) : simulation_(std::move(scene), pool) {}
 
+    Simulation& simulation() { return simulation_; }
     const Simulation& simulation() const { return simulation_; }
     /// Why the lane stopped: step, field and place; nothing while it runs.
     const std::optional<std::string>& failure() const { return failure_; }
 
-    /// @throws InputError, with nothing changed
-    void apply(const Command& command) {
-        simulation_.apply(command);
-        if (std::holds_alternative<Restart>(command)) failure_.reset();
-    }
     /// One step, unless the lane has stopped. @return whether it holds a new, sound state
     bool step() {
         if (failure_) return false;
@@ -32,6 +28,27 @@ class Lane {
             failure_ = e.what();
             return false;
         }
+    }
+    /// Steps until the lane's time is as near to `time` as its Δt allows, never back.
+    void step_to(double time) {
+        const auto behind = [&] { return simulation_.state().time + 0.5 * simulation_.scene().dt < time; };
+        while (behind() && step()) {
+        }
+    }
+    void restart() {
+        simulation_.restart();
+        failure_.reset();
+    }
+
+    /// A moment of the lane, to come back to.
+    struct Moment {
+        Checkpoint checkpoint;
+        std::optional<std::string> failure;
+    };
+    Moment moment() const { return {simulation_.checkpoint(), failure_}; }
+    void restore(const Moment& moment) {
+        simulation_.restore(moment.checkpoint);
+        failure_ = moment.failure;
     }
 
   private:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 
 #include "core/scene/error.h"
 
@@ -9,6 +10,7 @@ namespace whorl {
 namespace {
 
 constexpr double rate_window = 0.5;  // seconds over which steps are counted
+constexpr double seek_frame = 0.03;  // seconds between the snapshots on the way of a seek
 
 double now() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -16,9 +18,12 @@ double now() {
 
 }  // namespace
 
-Player::Player(Scene scene, int threads) : pool_(threads), lane_(std::in_place, std::move(scene), pool_) {
-    take_snapshot(*lane_, pool_, snapshots_[newest_]);
-    measures_.push_back(snapshots_[newest_].measures);
+Player::Player(Recording recording, int threads)
+    : pool_(threads), session_(std::in_place, std::move(recording), pool_) {
+    if (session_->last_step() > 0) target_ = session_->last_step();
+    SessionSnapshot& first = snapshots_[newest_];
+    take_snapshot(*session_, first, pool_, first);
+    note_step();
     fresh_ = true;
     thread_ = std::jthread([this](const std::stop_token& stop) { work(stop); });
 }
@@ -52,19 +57,46 @@ void Player::step_once() {
     wake_.notify_all();
 }
 
-void Player::push(Command command) {
+void Player::seek(long step) {
     const std::lock_guard lock(mutex_);
-    commands_.push_back(std::move(command));
+    playing_ = false;
+    single_ = 0;
+    rewind_to_ = step;
     wake_.notify_all();
 }
 
-void Player::load(Scene scene) {
-    const std::string reason = conflict(scene);
-    if (!reason.empty()) throw InputError(reason);
+std::optional<long> Player::sought() const {
     const std::lock_guard lock(mutex_);
-    next_scene_ = std::move(scene);
+    return rewind_to_ ? rewind_to_ : target_;
+}
+
+void Player::save() {
+    const std::lock_guard lock(mutex_);
+    save_ = true;
+    wake_.notify_all();
+}
+
+std::unique_ptr<Saved> Player::take_saved() {
+    const std::lock_guard lock(mutex_);
+    return std::move(saved_);
+}
+
+std::uint64_t Player::push(Command command) {
+    const std::lock_guard lock(mutex_);
+    commands_.push_back(std::move(command));
+    wake_.notify_all();
+    return ++pushed_;
+}
+
+void Player::load(Recording recording) {
+    lane_scenes(recording.setup);
+    const std::lock_guard lock(mutex_);
+    next_ = std::move(recording);
+    taken_ += commands_.size();
     commands_.clear();
     single_ = 0;
+    rewind_to_.reset();
+    target_.reset();
     wake_.notify_all();
 }
 
@@ -75,7 +107,7 @@ void Player::begin_frame() {
     wake_.notify_all();
 }
 
-const Snapshot& Player::newest() {
+const SessionSnapshot& Player::newest() {
     const std::lock_guard lock(mutex_);
     if (fresh_) {
         std::swap(newest_, shown_);
@@ -84,11 +116,11 @@ const Snapshot& Player::newest() {
     return snapshots_[shown_];
 }
 
-bool Player::take_measures(std::vector<Measures>& out) {
+bool Player::take_measures(std::vector<StepMeasures>& out) {
     const std::lock_guard lock(mutex_);
     const bool fresh_run = std::exchange(new_run_, false);
     if (fresh_run) out.clear();
-    out.insert(out.end(), measures_.begin(), measures_.end());
+    std::move(measures_.begin(), measures_.end(), std::back_inserter(out));
     measures_.clear();
     return fresh_run;
 }
@@ -110,36 +142,53 @@ void Player::work(const std::stop_token& stop) {
     flush_denormals();
     Lock lock(mutex_);
     while (!stop.stop_requested()) {
-        if (next_scene_) {
+        if (next_) {
             begin(lock);
+        } else if (rewind_to_) {
+            rewind(lock);
         } else if (!commands_.empty()) {
             act(lock);
+        } else if (save_) {
+            hand_over(lock);
         } else if (wants_step()) {
             step(lock);
         } else {
-            wake_.wait(lock, stop, [&] { return next_scene_ || !commands_.empty() || wants_step(); });
+            wake_.wait(lock, stop, [&] { return wants_work(); });
         }
     }
 }
 
 void Player::begin(Lock& lock) {
-    Scene scene = std::move(*next_scene_);
-    next_scene_.reset();
+    Recording recording = std::move(*next_);
+    next_.reset();
     lock.unlock();
-    lane_.emplace(std::move(scene), pool_);
+    std::string complaint;
+    try {
+        Session session(std::move(recording), pool_);
+        session_.emplace(std::move(session));
+    } catch (const InputError& e) {
+        complaint = e.what();
+    }
     lock.lock();
+    if (!complaint.empty()) {
+        complaint_ = complaint;
+        return;
+    }
+    if (session_->last_step() > 0) target_ = session_->last_step();
     publish(lock, Event::Began);
 }
 
 void Player::act(Lock& lock) {
     std::deque<Command> commands;
     commands.swap(commands_);
+    taken_ += commands.size();
+    target_.reset();  // who acts on the way of a seek goes on from there
     lock.unlock();
     std::string complaint;
     bool began = false;
     for (const Command& command : commands) {
         try {
-            lane_->apply(command);
+            session_->apply(command);
         } catch (const InputError& e) {
             complaint = e.what();
         }
@@ -150,48 +199,106 @@ void Player::act(Lock& lock) {
     if (began) {
         publish(lock, Event::Began);
     } else if (!wants_step()) {
-        publish(lock, lane_->failure() ? Event::Failed : Event::Edited);
+        publish(lock, Event::Edited);
     }
 }
 
+void Player::rewind(Lock& lock) {
+    const long step = std::clamp(*rewind_to_, 0L, session_->last_step());
+    rewind_to_.reset();
+    target_ = step;
+    // A step that lies ahead is nearer from here than from a kept moment, as a rule.
+    if (step >= session_->step_number()) return;
+    lock.unlock();
+    std::string complaint;
+    try {
+        session_->rewind(step);
+    } catch (const InputError& e) {
+        complaint = e.what();
+    }
+    lock.lock();
+    if (!complaint.empty()) complaint_ = complaint;
+    note_step();
+    if (session_->step_number() < step) return;
+    target_.reset();
+    publish(lock, Event::Edited);
+}
+
 void Player::step(Lock& lock) {
-    if (single_ > 0) {
+    const bool seeking = target_.has_value();
+    if (seeking && session_->step_number() >= *target_) {
+        target_.reset();
+        return publish(lock, Event::Edited);
+    }
+    if (seeking) {
+        // Goes as fast as it can.
+    } else if (single_ > 0) {
         --single_;
     } else if (!pace_.unlimited) {
         --allowed_;
     }
     lock.unlock();
-    const bool sound = lane_->step();
-    lock.lock();
-    if (sound) {
-        const double t = now();
-        finished_.push_back(t);
-        while (finished_.front() < t - rate_window) finished_.pop_front();
-    } else {
-        playing_ = false;
+    std::string complaint;
+    try {
+        session_->step();
+    } catch (const InputError& e) {
+        complaint = e.what();
     }
-    publish(lock, sound ? Event::Stepped : Event::Failed);
+    lock.lock();
+    if (!complaint.empty()) complaint_ = complaint;
+    const double t = now();
+    finished_.push_back(t);
+    while (finished_.front() < t - rate_window) finished_.pop_front();
+    note_step();
+    if (!session_->sound()) {
+        playing_ = false;
+        target_.reset();
+    }
+    // On the way of a seek a snapshot now and then will do.
+    if (!target_ || t > published_ + seek_frame) publish(lock, Event::Stepped);
+}
+
+void Player::note_step() {
+    StepMeasures row;
+    row.step = session_->step_number();
+    for (std::size_t k = 0; k < session_->lane_count(); ++k) {
+        row.ids.push_back(session_->id(k));
+        row.lanes.push_back(session_->measures(k));
+    }
+    measures_.push_back(std::move(row));
+}
+
+void Player::hand_over(Lock& lock) {
+    save_ = false;
+    const SessionSnapshot& last = snapshots_[fresh_ ? newest_ : shown_];
+    lock.unlock();
+    auto saved = std::make_unique<Saved>();
+    take_snapshot(*session_, last, pool_, saved->snapshot);
+    saved->snapshot.run = last.run;
+    saved->snapshot.serial = last.serial;
+    saved->recording = session_->recording();
+    saved->recording.digest = saved->snapshot.digest();
+    saved->complete = session_->complete();
+    lock.lock();
+    saved_ = std::move(saved);
 }
 
 /// Writes the spare snapshot without the lock, then makes it the newest.
 void Player::publish(Lock& lock, Event event) {
-    Snapshot& out = snapshots_[spare_];
-    const Snapshot& last = snapshots_[fresh_ ? newest_ : shown_];
+    SessionSnapshot& out = snapshots_[spare_];
+    const SessionSnapshot& last = snapshots_[fresh_ ? newest_ : shown_];
+    out.taken = taken_;
     lock.unlock();
-    if (event == Event::Failed) {
-        out = last;  // the last sound fields stay on screen
-        out.failure = lane_->failure();
-    } else {
-        take_snapshot(*lane_, pool_, out);
-        out.run = last.run + (event == Event::Began ? 1 : 0);
-    }
+    take_snapshot(*session_, last, pool_, out);
+    out.run = last.run + (event == Event::Began ? 1 : 0);
     out.serial = last.serial + 1;
     lock.lock();
     if (event == Event::Began) {
         measures_.clear();
         new_run_ = true;
+        note_step();
     }
-    if (event == Event::Began || event == Event::Stepped) measures_.push_back(out.measures);
+    published_ = now();
     std::swap(newest_, spare_);
     fresh_ = true;
 }

@@ -1,8 +1,10 @@
 #include "core/session/snapshot.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/measure/vorticity.h"
+#include "core/scene/digest.h"
 
 namespace whorl {
 namespace {
@@ -46,6 +48,39 @@ void take_snapshot(const Lane& lane, Pool& pool, Snapshot& out) {
     speed_and_divergence(state, pool, out);
     vorticity(state.velocity, state.boundary, out.vorticity, pool);
     out.has_exact = simulation.exact(out.exact);
+}
+
+void take_snapshot(const Session& session, const SessionSnapshot& last, Pool& pool, SessionSnapshot& out) {
+    out.setup = session.setup();
+    out.step = session.step_number();
+    out.last_step = session.last_step();
+    out.time = session.time();
+    out.lanes.resize(session.lane_count());
+    out.ids.resize(session.lane_count());
+    for (std::size_t k = 0; k < session.lane_count(); ++k) {
+        Snapshot& lane = out.lanes[k];
+        out.ids[k] = session.id(k);
+        const auto before = std::find(last.ids.begin(), last.ids.end(), out.ids[k]);
+        if (session.lane(k).failure() && before != last.ids.end()) {
+            lane = last.lanes[static_cast<std::size_t>(before - last.ids.begin())];
+            lane.failure = session.lane(k).failure();
+        } else {
+            take_snapshot(session.lane(k), pool, lane);
+            lane.measures = session.measures(k);
+        }
+    }
+}
+
+std::uint64_t SessionSnapshot::digest() const {
+    Digest digest;
+    for (const Snapshot& lane : lanes) {
+        for (const Field* f :
+             {&lane.density, &lane.temperature, &lane.velocity.u, &lane.velocity.v, &lane.pressure})
+            digest.add(*f);
+        digest.add(lane.solids);
+        digest.add(lane.measures.step, lane.measures.time);
+    }
+    return digest.value();
 }
 
 }  // namespace whorl

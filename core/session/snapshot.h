@@ -1,4 +1,4 @@
-// A finished step as the window sees it: a copy of what it draws, apart from the running simulation.
+// A finished step as the window sees it: a copy of what it draws, apart from the running session.
 #pragma once
 
 #include <cstdint>
@@ -6,10 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "core/session/lane.h"
+#include "core/session/session.h"
 
 namespace whorl {
 
+/// One lane.
 struct Snapshot {
     Scene scene;
     Grid grid;
@@ -22,12 +23,29 @@ struct Snapshot {
     bool has_exact = false;
     Measures measures;
     std::optional<std::string> failure;  ///< why the lane has stopped; the fields are the last sound ones
-    std::uint64_t serial = 0;            ///< grows with every snapshot
-    int run = 0;                         ///< grows with every restart and loaded scene
 };
 
-/// Copies a sound lane's present state; allocates only when the grid has changed. Leaves serial and run
-/// alone.
+/// All lanes at one step.
+struct SessionSnapshot {
+    Setup setup;                  ///< as it is set now
+    std::vector<Snapshot> lanes;  ///< one for each of the setup's
+    std::vector<int> ids;         ///< see Session::id
+    long step = 0;                ///< of the session
+    long last_step = 0;           ///< that can be gone to
+    double time = 0;
+    std::uint64_t taken = 0;   ///< commands of the player that have been taken, see Player::push
+    std::uint64_t serial = 0;  ///< grows with every snapshot
+    int run = 0;               ///< grows with every restart and loaded run
+
+    /// As Session::digest, of the lanes' fields as they are here.
+    std::uint64_t digest() const;
+};
+
+/// Copies a sound lane's present state; allocates only when the grid has changed.
 void take_snapshot(const Lane& lane, Pool& pool, Snapshot& out);
+
+/// Copies a session's present state; a lane that has stopped keeps the fields of `last`, the snapshot before.
+/// Leaves serial and run alone.
+void take_snapshot(const Session& session, const SessionSnapshot& last, Pool& pool, SessionSnapshot& out);
 
 }  // namespace whorl

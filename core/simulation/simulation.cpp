@@ -7,7 +7,6 @@
 #include "core/forces/buoyancy.h"
 #include "core/forces/emitters.h"
 #include "core/scene/error.h"
-#include "core/scene/parameters.h"
 
 namespace whorl {
 namespace {
@@ -48,6 +47,7 @@ void Simulation::restart() {
     state_.fill_ghosts();
     state_.put_in = total(state_.density, state_.boundary);
     set_scene(scene_);
+    projection_.restore({}, state_.boundary, *pool_);
     measures_ = {};
     measure();
 }
@@ -57,6 +57,7 @@ void Simulation::set_scene(const Scene& scene) {
     if (!(state_.grid() == scene.grid()) ||
         state_.boundary.periodic() != (scene.sides == Sides::of<Periodic>())) {
         state_ = resample(state_, scene);
+        projection_.restore({}, state_.boundary, *pool_);
     }
     if (!next_density_.same_shape(state_.density) || !next_velocity_.u.same_shape(state_.velocity.u)) {
         next_velocity_ = state_.boundary.velocity();
@@ -69,23 +70,24 @@ void Simulation::set_scene(const Scene& scene) {
     projection_.set_solver(scene.pressure, scene.tolerance);
 }
 
-void Simulation::apply(const Command& command) {
-    std::visit(
-        [&]<class C>(const C& c) {
-            if constexpr (std::is_same_v<C, SetParameter>) {
-                Scene changed = scene_;
-                set_parameter(changed, c.key, c.value);
-                require_no_conflict(changed);
-                set_scene(changed);
-            } else if constexpr (std::is_same_v<C, Restart>) {
-                restart();
-            } else if constexpr (std::is_same_v<C, ObstacleStroke>) {
-                whorl::apply(c, state_, scene_.ambient);
-            } else {
-                whorl::apply(c, state_);
-            }
-        },
-        command);
+void Simulation::apply(const SmokeStroke& stroke) {
+    whorl::apply(stroke, state_);
+}
+
+void Simulation::apply(const ObstacleStroke& stroke) {
+    whorl::apply(stroke, state_, scene_.ambient);
+}
+
+void Simulation::set(const Scene& scene) {
+    require_no_conflict(scene);
+    set_scene(scene);
+}
+
+void Simulation::restore(const Checkpoint& checkpoint) {
+    state_ = checkpoint.state;
+    set_scene(checkpoint.scene);
+    measures_ = checkpoint.measures;
+    projection_.restore(checkpoint.projection, state_.boundary, *pool_);
 }
 
 void Simulation::step() {

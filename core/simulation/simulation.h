@@ -3,12 +3,20 @@
 
 #include "core/advection/advect.h"
 #include "core/experiments/experiment.h"
+#include "core/forces/brush.h"
 #include "core/forces/confinement.h"
 #include "core/measure/measures.h"
 #include "core/pressure/projection.h"
-#include "core/simulation/command.h"
 
 namespace whorl {
+
+/// All that a simulation needs to go on with the same bits.
+struct Checkpoint {
+    Scene scene;
+    State state;
+    Measures measures;
+    Projection::Memory projection;
+};
 
 class Simulation {
   public:
@@ -20,8 +28,17 @@ class Simulation {
     /// @throws NotFinite if a field has lost its numbers; the state is then of no use
     void step();
 
-    /// Acts before the next step.  @throws InputError, with nothing changed
-    void apply(const Command& command);
+    // These act before the next step.
+    void apply(const SmokeStroke& stroke);
+    void apply(const ObstacleStroke& stroke);
+    /// Another setup for the running fields, which are resampled if the grid changes. What a scene starts
+    /// with (emitters aside) is for a restart.  @throws InputError, with nothing changed
+    void set(const Scene& scene);
+    /// Back to the start of the scene as it is now set, as if made anew.
+    void restart();
+
+    Checkpoint checkpoint() const { return {scene_, state_, measures_, projection_.memory(state_.boundary)}; }
+    void restore(const Checkpoint& checkpoint);
 
     const Scene& scene() const { return scene_; }
     const State& state() const { return state_; }
@@ -31,7 +48,6 @@ class Simulation {
     bool exact(Field& density) const;
 
   private:
-    void restart();
     void set_scene(const Scene& scene);
     void add_forces();
     void project();

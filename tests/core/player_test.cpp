@@ -14,10 +14,10 @@
 namespace whorl {
 namespace {
 
-Scene small_plume() {
+Recording small_plume() {
     Scene scene = scene_of(experiment("plume"));
     set_parameter(scene, "resolution=24");
-    return scene;
+    return {.setup = {.scene = scene}};
 }
 
 /// Waits for what the player does in its own time; long enough for a loaded machine under a sanitizer.
@@ -32,21 +32,21 @@ bool eventually(Condition&& condition) {
 
 TEST(Player, ShowsTheStartAndWaits) {
     Player player(small_plume(), 1);
-    EXPECT_EQ(player.newest().measures.step, 0);
+    EXPECT_EQ(player.newest().step, 0);
     player.begin_frame();
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    EXPECT_EQ(player.newest().measures.step, 0);
+    EXPECT_EQ(player.newest().step, 0);
 }
 
 TEST(Player, StepsOnceAndPauses) {
     Player player(small_plume(), 1);
     player.play(true);
     player.step_once();
-    ASSERT_TRUE(eventually([&] { return player.newest().measures.step == 1; }));
+    ASSERT_TRUE(eventually([&] { return player.newest().step == 1; }));
     EXPECT_FALSE(player.playing());
     player.begin_frame();
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    EXPECT_EQ(player.newest().measures.step, 1);
+    EXPECT_EQ(player.newest().step, 1);
 }
 
 TEST(Player, TakesItsPaceFromTheFrames) {
@@ -54,11 +54,11 @@ TEST(Player, TakesItsPaceFromTheFrames) {
     player.set_pace({.steps_per_frame = 3, .unlimited = false});
     player.play(true);
     player.begin_frame();
-    ASSERT_TRUE(eventually([&] { return player.newest().measures.step == 3; }));
+    ASSERT_TRUE(eventually([&] { return player.newest().step == 3; }));
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    EXPECT_EQ(player.newest().measures.step, 3);
+    EXPECT_EQ(player.newest().step, 3);
     player.set_pace({.steps_per_frame = 1, .unlimited = true});
-    EXPECT_TRUE(eventually([&] { return player.newest().measures.step > 20; }));
+    EXPECT_TRUE(eventually([&] { return player.newest().step > 20; }));
     EXPECT_TRUE(eventually([&] { return player.steps_per_second() > 0; }));
 }
 
@@ -66,9 +66,9 @@ TEST(Player, CommandsActWhilePaused) {
     Player player(small_plume(), 1);
     player.push(SmokeStroke{.along = {10, 20, 30, 20}, .radius = 3, .density = 1});
     EXPECT_TRUE(eventually(
-        [&] { return player.newest().measures.step == 0 && player.newest().density(12, 12) > 0; }));
+        [&] { return player.newest().step == 0 && player.newest().lanes[0].density(12, 12) > 0; }));
     player.push(SetParameter{"resolution", "32"});
-    EXPECT_TRUE(eventually([&] { return player.newest().grid.nx == 32; }));
+    EXPECT_TRUE(eventually([&] { return player.newest().lanes[0].grid.nx == 32; }));
     player.push(SetParameter{"zeta", "77"});
     std::string complaint;
     EXPECT_TRUE(eventually([&] { return !(complaint = player.take_complaint()).empty(); }));
@@ -77,7 +77,7 @@ TEST(Player, CommandsActWhilePaused) {
 
 TEST(Player, MeasuresEveryStepOnce) {
     Player player(small_plume(), 1);
-    std::vector<Measures> all;
+    std::vector<StepMeasures> all;
     EXPECT_TRUE(player.take_measures(all));
     player.set_pace({.steps_per_frame = 1, .unlimited = true});
     player.play(true);
@@ -93,25 +93,25 @@ TEST(Player, MeasuresEveryStepOnce) {
 
 TEST(Player, LoadsAnotherScene) {
     Player player(small_plume(), 1);
-    player.load(scene_of(experiment("rotation")));
-    EXPECT_TRUE(eventually([&] { return player.newest().scene.experiment == "rotation"; }));
+    player.load({.setup = {.scene = scene_of(experiment("rotation"))}});
+    EXPECT_TRUE(eventually([&] { return player.newest().lanes[0].scene.experiment == "rotation"; }));
     EXPECT_EQ(player.newest().run, 1);
-    Scene bad = small_plume();
-    set_parameter(bad, "advector=aslam");
-    set_parameter(bad, "interpolation=bridson");
+    Recording bad = small_plume();
+    set_parameter(bad.setup.scene, "advector=aslam");
+    set_parameter(bad.setup.scene, "interpolation=bridson");
     EXPECT_THROW(player.load(bad), InputError);
 }
 
 TEST(Player, KeepsTheLastSoundStateWhenARunFails) {
     Player player(small_plume(), 1);
     player.step_once();
-    ASSERT_TRUE(eventually([&] { return player.newest().measures.step == 1; }));
+    ASSERT_TRUE(eventually([&] { return player.newest().step == 1; }));
     player.push(SmokeStroke{.along = {20, 20, 20, 20}, .radius = 3, .density = 1, .temperature = INFINITY});
     player.step_once();
-    ASSERT_TRUE(eventually([&] { return player.newest().failure.has_value(); }));
-    EXPECT_TRUE(std::isfinite(player.newest().density(12, 12)));
+    ASSERT_TRUE(eventually([&] { return player.newest().lanes[0].failure.has_value(); }));
+    EXPECT_TRUE(std::isfinite(player.newest().lanes[0].density(12, 12)));
     player.push(Restart{});
-    EXPECT_TRUE(eventually([&] { return !player.newest().failure && player.newest().measures.step == 0; }));
+    EXPECT_TRUE(eventually([&] { return !player.newest().lanes[0].failure && player.newest().step == 0; }));
 }
 
 /// Closing, loading and resetting in the middle of everything.
@@ -120,7 +120,7 @@ TEST(Player, EndsAtAnyMoment) {
         Player player(small_plume(), 2);
         player.set_pace({.steps_per_frame = 1, .unlimited = true});
         player.play(true);
-        if (k % 2) player.load(scene_of(experiment("empty")));
+        if (k % 2) player.load({.setup = {.scene = scene_of(experiment("empty"))}});
         if (k % 3) player.push(Restart{});
         if (k % 5) player.push(SetParameter{"resolution", "48"});
         std::this_thread::sleep_for(std::chrono::milliseconds(k));

@@ -43,8 +43,9 @@ TEST(Simulation, EveryControlActsOnTheNextStepWithoutAReset) {
         for (int step = 0; step < 5; ++step) simulation.step();
         const double other = p.get(simulation.scene()) == p.slider_max ? p.slider_min : p.slider_max;
         try {
-            simulation.apply(
-                SetParameter{p.key, p.text(p.kind == Parameter::Kind::Integer ? std::floor(other) : other)});
+            Scene scene = simulation.scene();
+            p.set(scene, p.kind == Parameter::Kind::Integer ? std::floor(other) : other);
+            simulation.set(scene);
         } catch (const InputError&) {
             continue;  // not with these other choices; contracts cover which
         }
@@ -60,7 +61,7 @@ TEST(Simulation, ResolutionResamplesTheRunningFields) {
     for (int step = 0; step < 200; ++step) simulation.step();
     const double before = total(simulation.state().density, simulation.state().boundary);
     const double percent = simulation.measures().density_percent;
-    simulation.apply(SetParameter{"resolution", "80"});
+    simulation.set(plume({"resolution=80"}));
     EXPECT_EQ(simulation.state().grid().nx, 80);
     EXPECT_NEAR(total(simulation.state().density, simulation.state().boundary) / before, 1, 0.02);
     simulation.step();
@@ -71,7 +72,7 @@ TEST(Simulation, ResolutionResamplesTheRunningFields) {
 TEST(Simulation, RefusesAChoiceAndStaysAsItWas) {
     Pool pool(1);
     Simulation simulation(plume({"interpolation=bicubic"}), pool);
-    EXPECT_THROW(simulation.apply(SetParameter{"advector", "aslam"}), InputError);
+    EXPECT_THROW(simulation.set(plume({"interpolation=bicubic", "advector=aslam"})), InputError);
     EXPECT_EQ(simulation.scene().scalars.advector, Advectors::of<SemiLagrangian>());
     EXPECT_THROW(Simulation(plume({"interpolation=bicubic", "advector=aslam"}), pool), InputError);
 }
@@ -126,13 +127,13 @@ TEST(Lane, StopsAtANumberThatIsNotOneAndStartsAnew) {
     Pool pool(1);
     Lane lane(plume({"resolution=16"}), pool);
     ASSERT_TRUE(lane.step());
-    lane.apply(SmokeStroke{.along = {20, 20, 20, 20}, .radius = 3, .density = std::nan("")});
-    lane.apply(SmokeStroke{.along = {20, 20, 20, 20}, .radius = 3, .density = 1, .temperature = INFINITY});
+    lane.simulation().apply(SmokeStroke{.along = {20, 20, 20, 20}, .radius = 3, .density = std::nan("")});
+    lane.simulation().apply(SmokeStroke{.along = {20, 20, 20, 20}, .radius = 3, .density = 1, .temperature = INFINITY});
     EXPECT_FALSE(lane.step());
     ASSERT_TRUE(lane.failure());
     EXPECT_NE(lane.failure()->find("step 2: "), std::string::npos) << *lane.failure();
     EXPECT_FALSE(lane.step()) << "it stays stopped";
-    lane.apply(Restart{});
+    lane.restart();
     EXPECT_TRUE(lane.step());
 }
 

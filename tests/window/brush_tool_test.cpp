@@ -21,7 +21,7 @@ struct Painted {
         return scene;
     }
 
-    Player player{empty(), 1};
+    Player player{{.setup = {.scene = empty()}}, 1};
     Notices notices;
     Remote remote{player, notices};
     BrushTool brush;
@@ -84,7 +84,7 @@ TEST(BrushTool, IgnoresWhatIsNotOnTheField) {
     p.field.covered = true;
     p.event(Kind::Press, 300, 250);
     p.brush.end_frame(p.remote);
-    EXPECT_FALSE(p.eventually([](const Snapshot& s) { return s.serial > 0; }, 20));
+    EXPECT_FALSE(p.eventually([&](const Snapshot&) { return p.remote.session().serial > 0; }, 20));
 }
 
 TEST(BrushTool, TheWheelStaysInRange) {

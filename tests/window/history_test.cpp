@@ -5,18 +5,18 @@
 namespace whorl::app {
 namespace {
 
-Measures at_step(long step) {
+StepMeasures at_step(long step) {
     Measures m;
     m.step = step;
     m.kinetic_energy = static_cast<double>(step);
-    return m;
+    return {step, {7}, {m}};
 }
 
 TEST(History, StaysSmallAndCoversALongRun) {
     History history;
     for (long step = 0; step <= 100'000; ++step) {
-        const Measures m = at_step(step);
-        history.take({&m, 1}, step == 0);
+        const StepMeasures m = at_step(step);
+        history.take({&m, 1}, 7, step == 0);
     }
     EXPECT_LE(history.steps().size(), History::capacity);
     EXPECT_GT(history.steps().size(), History::capacity / 3);
@@ -30,10 +30,10 @@ TEST(History, StaysSmallAndCoversALongRun) {
 
 TEST(History, ForgetsTheRunBefore) {
     History history;
-    const Measures old[] = {at_step(0), at_step(1), at_step(2)};
-    history.take(old, true);
-    const Measures fresh[] = {at_step(0)};
-    history.take(fresh, true);
+    const StepMeasures old[] = {at_step(0), at_step(1), at_step(2)};
+    history.take(old, 7, true);
+    const StepMeasures fresh[] = {at_step(0)};
+    history.take(fresh, 7, true);
     EXPECT_EQ(history.steps().size(), 1u);
 }
 

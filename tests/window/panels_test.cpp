@@ -20,7 +20,7 @@ namespace {
 std::string drawn(HeadlessUi& ui, const Scene& scene, bool help) {
     const std::string path = testing::TempDir() + "panels-" + std::to_string(::getpid()) + ".trace";
     {
-        Player player(scene, 1);
+        Player player({.setup = {.scene = scene}}, 1);
         player.step_once();
         Notices notices;
         notices.warn("a notice");
@@ -35,9 +35,9 @@ std::string drawn(HeadlessUi& ui, const Scene& scene, bool help) {
         Slabs slabs;
         for (int frame = 0; frame < 3; ++frame) {
             remote.begin_frame();
-            std::vector<Measures> measures;
+            std::vector<StepMeasures> measures;
             const bool new_run = player.take_measures(measures);
-            history.take(measures, new_run);
+            history.take(measures, 0, new_run);
             Field scratch;
             const Field* field = view.shown->field(remote.snapshot(), scratch);
             PanelContext context{ui.theme, remote, view, history, frames, field, hover, trace, slabs};

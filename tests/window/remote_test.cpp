@@ -12,7 +12,7 @@ namespace whorl::app {
 namespace {
 
 struct Steered {
-    explicit Steered(Scene scene = {}) : player(std::move(scene), 1) { remote.begin_frame(); }
+    explicit Steered(Scene scene = {}) : player({.setup = {.scene = std::move(scene)}}, 1) { remote.begin_frame(); }
 
     Player player;
     Notices notices;
@@ -24,7 +24,7 @@ struct Steered {
     bool acted() {
         for (int k = 0; k < 500; ++k) {
             remote.begin_frame();
-            if (remote.snapshot().scene == remote.scene() && remote.snapshot().serial > 0) return true;
+            if (remote.snapshot().scene == remote.scene() && remote.session().serial > 0) return true;
             std::this_thread::sleep_for(std::chrono::milliseconds(10));
         }
         return false;

@@ -1,5 +1,5 @@
-// Scene files: round trip, and errors that name file, line and column.
-#include "core/io/scene_file.h"
+// Runs as TOML: round trip, and errors that name file, line and column.
+#include "core/io/run_file.h"
 
 #include <gtest/gtest.h>
 
@@ -12,14 +12,14 @@ namespace {
 
 std::string complaint(const std::string& text) {
     try {
-        parse_scene(text, "scene.toml");
+        parse_run(text, "scene.toml");
     } catch (const InputError& e) {
         return e.what();
     }
     return {};
 }
 
-TEST(SceneFile, GivesEverySceneBack) {
+TEST(RunFile, GivesEverySceneBack) {
     for (const Experiment& e : experiments()) {
         Scene scene = scene_of(e);
         scene.title = "a \"title\" with\nlines and ζ";
@@ -27,18 +27,18 @@ TEST(SceneFile, GivesEverySceneBack) {
                            {.x = 9, .y = 4, .radius = 0, .width = 2, .height = 1}};
         set_parameter(scene, "velocity.advector=bfecc");
         set_parameter(scene, "dt=0.0123456789");
-        const Scene back = parse_scene(write_scene(scene), "written");
+        const Scene back = parse_run(write_run({.setup = {.scene = scene}}), "written").setup.scene;
         if (scene.dimensions == 2) {
-            EXPECT_EQ(back, scene) << write_scene(scene);
+            EXPECT_EQ(back, scene) << write_run({.setup = {.scene = scene}});
         } else {
             EXPECT_EQ(back.dimensions, 1);
         }
     }
 }
 
-TEST(SceneFile, KeepsWhatItDoesNotName) {
-    const Scene scene = parse_scene(
-        "whorl = 1\nexperiment = \"plume\"\nresolution = 64\nscalars.advector = \"aslam\"\n", "s");
+TEST(RunFile, KeepsWhatItDoesNotName) {
+    const Scene scene = parse_run(
+        "whorl = 1\nexperiment = \"plume\"\nresolution = 64\nscalars.advector = \"aslam\"\n", "s").setup.scene;
     const Scene plume = scene_of(experiment("plume"));
     EXPECT_EQ(scene.resolution, 64);
     EXPECT_EQ(scene.beta, plume.beta);
@@ -47,7 +47,7 @@ TEST(SceneFile, KeepsWhatItDoesNotName) {
     EXPECT_EQ(scene.velocity.advector, Advectors::of<SemiLagrangian>());
 }
 
-TEST(SceneFile, ErrorsNameLineAndColumn) {
+TEST(RunFile, ErrorsNameLineAndColumn) {
     EXPECT_EQ(complaint("whorl = 1\nzeta = 9\n"), "scene.toml:2:8: zeta = 9 is out of range: 0 to 4");
     EXPECT_TRUE(
         complaint("whorl = 1\n\n  zetta = 2\n").starts_with("scene.toml:3:3: unknown parameter \"zetta\""));
@@ -66,7 +66,7 @@ TEST(SceneFile, ErrorsNameLineAndColumn) {
         std::string::npos);
 }
 
-TEST(SceneFile, SurvivesHostileText) {
+TEST(RunFile, SurvivesHostileText) {
     EXPECT_NE(complaint(std::string(100000, '[')), "");
     EXPECT_NE(complaint("whorl = 1\nx = " + std::string(5000, '[') + std::string(5000, ']')), "");
     EXPECT_NE(complaint(std::string("\xff\xfe\x00whorl", 8)), "");

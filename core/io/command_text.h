@@ -1,0 +1,20 @@
+// Commands as lines of text: `STEP set KEY=VALUE`, `STEP smoke …`, `STEP build …`, `STEP lanes K`.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "core/session/recording.h"
+
+namespace whorl {
+
+/// A line a command. Arrangements are written as their index, and appended to `arrangements`.
+std::string write_commands(std::span<const Stamped> commands, std::vector<Arrange>& arrangements);
+
+/// Reads what write_commands wrote.
+/// @param arrangements  what `lanes K` refers to
+/// @throws InputError `command LINE: reason`
+std::vector<Stamped> read_commands(std::string_view text, std::span<const Arrange> arrangements);
+
+}  // namespace whorl

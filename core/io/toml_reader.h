@@ -1,0 +1,109 @@
+// Reading TOML tables with errors that say where.
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <functional>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/scene/error.h"
+#include "core/schemes/suggest.h"
+
+namespace whorl {
+
+/// Says where in a text something is wrong.
+class TomlReader {
+  public:
+    /// @param name  what errors call the text
+    explicit TomlReader(std::string_view name) : name_(name) {}
+
+    [[noreturn]] void fail(const toml::source_region& at, const std::string& reason) const {
+        fail(at.begin.line, at.begin.column, reason);
+    }
+    [[noreturn]] void fail(std::size_t line, std::size_t column, const std::string& reason) const {
+        throw InputError(std::string(name_) + ":" + std::to_string(line) + ":" + std::to_string(column) +
+                         ": " + reason);
+    }
+
+    toml::table parse(std::string_view text) const {
+        try {
+            return toml::parse(text, name_);
+        } catch (const toml::parse_error& e) {
+            fail(e.source(), std::string(e.description()));
+        }
+    }
+
+    /// The node's value as `--set` would be given it.
+    std::string text(const toml::node& node) const {
+        if (const auto* value = node.as_string()) return value->get();
+        if (const auto* value = node.as_boolean()) return value->get() ? "true" : "false";
+        if (const auto* value = node.as_integer()) return std::to_string(value->get());
+        if (const auto* value = node.as_floating_point()) {
+            std::ostringstream out;
+            out.precision(17);
+            out << value->get();
+            return out.str();
+        }
+        fail(node.source(), "expected a number, a truth or a word");
+    }
+
+    double number(const toml::node& node, const std::string& key) const {
+        const auto value = node.value<double>();
+        if (!value || *value != *value) fail(node.source(), key + " is not a number");
+        return *value;
+    }
+    long integer(const toml::node& node, const std::string& key, long min, long max) const {
+        const auto value = node.value<std::int64_t>();
+        if (!value || !node.is_integer() || *value < min || *value > max)
+            fail(node.source(),
+                 key + " is not a whole number from " + std::to_string(min) + " to " + std::to_string(max));
+        return static_cast<long>(*value);
+    }
+    std::string string(const toml::node& node, const std::string& key) const {
+        const auto* value = node.as_string();
+        if (value == nullptr) fail(node.source(), key + " is not a text: write it in quotes");
+        return value->get();
+    }
+
+    /// What to do with a key's value.
+    using Key = std::pair<std::string_view, std::function<void(const toml::node&)>>;
+    /// Hands each value of a table to its key, and knows no other keys.
+    void keys(const toml::table& table, const std::vector<Key>& known) const {
+        for (const auto& [key, node] : table) {
+            const auto found =
+                std::find_if(known.begin(), known.end(), [&](const Key& k) { return k.first == key.str(); });
+            if (found != known.end()) {
+                found->second(node);
+                continue;
+            }
+            std::vector<std::string_view> names;
+            for (const Key& k : known) names.push_back(k.first);
+            fail(key.source(),
+                 "unknown key \"" + std::string(key.str()) + "\"; " + suggestion(key.str(), names));
+        }
+    }
+
+    /// Calls `read(table)` for each table of an array of tables, of at most `max`.
+    template <class Read>
+    void tables(const toml::node& node, const std::string& what, std::size_t max, Read&& read) const {
+        const toml::array* array = node.as_array();
+        if (array == nullptr) fail(node.source(), what + " is a list: write [[" + what + "]]");
+        if (array->size() > max)
+            fail(node.source(), std::to_string(array->size()) + " tables of " + what +
+                                    ": there are at most " + std::to_string(max));
+        for (const toml::node& item : *array) {
+            const toml::table* table = item.as_table();
+            if (table == nullptr) fail(item.source(), what + " holds tables: write [[" + what + "]]");
+            read(*table);
+        }
+    }
+
+  private:
+    std::string_view name_;
+};
+
+}  // namespace whorl

@@ -1,0 +1,190 @@
+#include "core/session/session.h"
+
+#include <algorithm>
+
+#include "core/scene/digest.h"
+#include "core/scene/error.h"
+#include "core/scene/parameters.h"
+
+namespace whorl {
+namespace {
+
+void fail_with(const std::string& reason) {
+    if (!reason.empty()) throw InputError(reason);
+}
+
+}  // namespace
+
+Session::Session(Recording recording, Pool& pool, std::size_t limit_bytes)
+    : pool_(&pool), recorded_(std::move(recording)), last_step_(recorded_.step), kept_(limit_bytes) {
+    begin();
+}
+
+/// The start of the recording, with nothing acted yet but what is stamped 0.
+void Session::begin() {
+    const std::vector<Scene> scenes = lane_scenes(recorded_.setup);
+    setup_ = recorded_.setup;
+    lanes_.clear();
+    next_id_ = 0;
+    for (const Scene& scene : scenes)
+        lanes_.push_back({std::make_unique<Lane>(scene, *pool_), next_id_++, {}});
+    step_ = 0;
+    time_ = 0;
+    acted_ = 0;
+    const std::string refusal = act_recorded();
+    measure();
+    fail_with(refusal);
+}
+
+void Session::step() {
+    ++step_;
+    time_ += setup_.scene.dt;
+    for (Place& place : lanes_) place.lane->step_to(time_);
+    last_step_ = std::max(last_step_, step_);
+    if (kept_.wants(step_)) kept_.keep(step_, moment());
+    const std::string refusal = act_recorded();
+    measure();
+    fail_with(refusal);
+}
+
+/// @return why one of the commands could not act; empty if all did
+std::string Session::act_recorded() {
+    std::string refusal;
+    while (acted_ < recorded_.commands.size() && recorded_.commands[acted_].step <= step_) {
+        try {
+            act(recorded_.commands[acted_++].command);
+        } catch (const InputError& e) {
+            refusal = "step " + std::to_string(step_) + ": " + e.what();
+        }
+    }
+    return refusal;
+}
+
+void Session::apply(const Command& command) {
+    if (std::holds_alternative<Restart>(command)) {
+        recorded_ = {.setup = setup_, .commands = {}, .step = 0};
+        complete_ = true;
+        last_step_ = 0;
+        kept_.clear();
+        begin();
+        return;
+    }
+    act(command);
+    measure();
+    recorded_.commands.resize(acted_);
+    kept_.forget_after(step_);
+    last_step_ = step_;
+    complete_ = complete_ && recorded_.commands.size() < Recording::max_commands;
+    if (!complete_) return;
+    recorded_.commands.push_back({step_, command});
+    ++acted_;
+}
+
+void Session::act(const Command& command) {
+    std::visit(
+        [&]<class C>(const C& c) {
+            if constexpr (std::is_same_v<C, SetParameter>) {
+                Setup changed = setup_;
+                set_parameter(changed.scene, c.key, c.value);
+                set(changed);
+            } else if constexpr (std::is_same_v<C, Arrange>) {
+                arrange(c);
+            } else if constexpr (!std::is_same_v<C, Restart>) {
+                for (Place& place : lanes_) place.lane->simulation().apply(c);
+            }
+        },
+        command);
+}
+
+void Session::set(const Setup& setup) {
+    const std::vector<Scene> scenes = lane_scenes(setup);
+    for (std::size_t k = 0; k < lanes_.size(); ++k) lanes_[k].lane->simulation().set(scenes[k]);
+    setup_ = setup;
+}
+
+void Session::arrange(const Arrange& a) {
+    const Setup changed{setup_.scene, a.lanes, a.reference};
+    const std::vector<Scene> scenes = lane_scenes(changed);
+    const auto known = [&](int from) { return from >= 0 && from < static_cast<int>(lanes_.size()); };
+    if (a.from.size() != a.lanes.size() || !std::all_of(a.from.begin(), a.from.end(), known))
+        throw InputError("each lane goes on from one of the present " + std::to_string(lanes_.size()));
+    std::vector<Place> arranged;
+    for (std::size_t k = 0; k < scenes.size(); ++k) {
+        const int from = a.from[k];
+        const bool moves = std::find(a.from.begin(), a.from.begin() + static_cast<std::ptrdiff_t>(k), from) ==
+                           a.from.begin() + static_cast<std::ptrdiff_t>(k);
+        if (moves) {
+            arranged.push_back(std::move(lanes_[static_cast<std::size_t>(from)]));
+        } else {
+            // The lane that it goes on from has moved to where `from` was named first.
+            const auto first = std::find(a.from.begin(), a.from.end(), from) - a.from.begin();
+            const Lane::Moment moment = arranged[static_cast<std::size_t>(first)].lane->moment();
+            arranged.push_back({std::make_unique<Lane>(moment.checkpoint.scene, *pool_), next_id_++, {}});
+            arranged.back().lane->restore(moment);
+        }
+    }
+    lanes_ = std::move(arranged);
+    for (std::size_t k = 0; k < lanes_.size(); ++k) lanes_[k].lane->simulation().set(scenes[k]);
+    setup_ = changed;
+}
+
+void Session::rewind(long step) {
+    if (!complete_) throw InputError("more was drawn than a recording holds; restart to record anew");
+    const auto [kept_step, kept] = kept_.before(step);
+    if (kept == nullptr) return begin();
+    step_ = kept_step;
+    time_ = kept->time;
+    acted_ = kept->acted;
+    setup_ = kept->setup;
+    next_id_ = kept->next_id;
+    std::vector<Place> places;
+    for (std::size_t k = 0; k < kept->lanes.size(); ++k) {
+        const auto same = std::find_if(lanes_.begin(), lanes_.end(), [&](const Place& place) {
+            return place.lane != nullptr && place.id == kept->ids[k];
+        });
+        // A lane that is still there has what it needs for its grid.
+        places.push_back(
+            same != lanes_.end()
+                ? std::move(*same)
+                : Place{std::make_unique<Lane>(kept->lanes[k].checkpoint.scene, *pool_), kept->ids[k], {}});
+        places.back().lane->restore(kept->lanes[k]);
+    }
+    lanes_ = std::move(places);
+    const std::string refusal = act_recorded();
+    measure();
+    fail_with(refusal);
+}
+
+Moment Session::moment() const {
+    Moment moment{
+        .time = time_, .acted = acted_, .next_id = next_id_, .setup = setup_, .ids = {}, .lanes = {}};
+    for (const Place& place : lanes_) {
+        moment.ids.push_back(place.id);
+        moment.lanes.push_back(place.lane->moment());
+    }
+    return moment;
+}
+
+void Session::measure() {
+    for (Place& place : lanes_) place.measures = place.lane->simulation().measures();
+}
+
+Recording Session::recording() const {
+    Recording now{recorded_.setup, {}, step_};
+    now.commands.assign(recorded_.commands.begin(),
+                        recorded_.commands.begin() + static_cast<std::ptrdiff_t>(acted_));
+    return now;
+}
+
+bool Session::sound() const {
+    return std::any_of(lanes_.begin(), lanes_.end(),
+                       [](const Place& place) { return !place.lane->failure().has_value(); });
+}
+
+std::uint64_t Session::digest() const {
+    Digest digest;
+    for (const Place& place : lanes_) digest.add(place.lane->simulation().state());
+    return digest.value();
+}
+
+}  // namespace whorl
