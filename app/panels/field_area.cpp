@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 
 #include "app/panels/curve_view.h"
 #include "app/panels/field_header.h"
@@ -110,11 +111,10 @@ void draw_wipe_line(const Theme& theme, const FieldPlacement& place, ImDrawList&
 /// A ring where the brush is, on the tile under the pointer, and fainter at the same place of the others.
 void draw_brush(const PanelContext& context, const FieldPlacement& place, ImDrawList& list) {
     const ImGuiIO& io = ImGui::GetIO();
-    const FieldTile* under =
-        place.at(static_cast<double>(io.MousePos.x), static_cast<double>(io.MousePos.y));
+    const FieldTile* under = place.at(static_cast<double>(io.MousePos.x), static_cast<double>(io.MousePos.y));
     if (under == nullptr) return;
-    const WorldPoint at = place.world(*under, static_cast<double>(io.MousePos.x),
-                                      static_cast<double>(io.MousePos.y));
+    const WorldPoint at =
+        place.world(*under, static_cast<double>(io.MousePos.x), static_cast<double>(io.MousePos.y));
     const double shown = static_cast<double>(place.window.high.x - place.window.low.x);
     const float line = context.theme.px(1);
     const ImU32 colour =
@@ -218,7 +218,8 @@ std::string bar_label(const PanelContext& context) {
     if (context.names.size() == 1) return {};
     const View& view = context.fields.view();
     std::string label(view.label);
-    if (context.fields.difference()) label += " less that of " + context.names.name(context.fields.reference());
+    if (context.fields.difference())
+        label += " less that of " + context.names.name(context.fields.reference());
     return label + "  " + std::string(view.unit);
 }
 
@@ -273,7 +274,8 @@ FieldPlacement draw_field_area(PanelContext& context) {
     place.window = context.view.window;
     place.covered = context.view.help ||
                     ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
-    for (const Snapshot& lane : session.lanes) place.cells = glm::max(place.cells, {lane.grid.nx, lane.grid.ny});
+    for (const Snapshot& lane : session.lanes)
+        place.cells = glm::max(place.cells, glm::ivec2(lane.grid.nx, lane.grid.ny));
     if (shape.grid.dimensions() == 1) {
         const PixelRect rect{static_cast<int>(corner.x), static_cast<int>(corner.y + header),
                              std::max(1, static_cast<int>(room.x)),

@@ -8,7 +8,7 @@ namespace whorl::app {
 
 /// What decides how the centre is divided.
 struct FieldShape {
-    Grid grid;      ///< of the first lane
+    Grid grid;  ///< of the first lane
     int lanes = 1;
     int tiles = 1;  ///< fields side by side
 };

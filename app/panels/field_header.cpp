@@ -21,8 +21,7 @@ const char* hints(const Snapshot& s, float width) {
         "picture  "
         "·  H keys",
         "Drag to inject smoke  ·  right-drag to push  ·  Space pauses  ·  F12 picture  ·  H keys",
-        "Drag to inject smoke  ·  right-drag to push  ·  H keys",
-        "Drag to inject smoke  ·  H keys",
+        "Drag to inject smoke  ·  right-drag to push  ·  H keys", "Drag to inject smoke  ·  H keys",
         "H keys"};
     const std::span<const char* const> all =
         s.grid.dimensions() == 1 ? std::span<const char* const>(flat) : plane;

@@ -51,8 +51,8 @@ struct FieldPlacement {
     /// The pixel of a point.
     glm::dvec2 pixel(const FieldTile& tile, WorldPoint at) const {
         const glm::dvec2 low(window.low);
-        const glm::dvec2 in = (glm::dvec2(at.x / tile.width, at.y / tile.height) - low) /
-                              (glm::dvec2(window.high) - low);
+        const glm::dvec2 in =
+            (glm::dvec2(at.x / tile.width, at.y / tile.height) - low) / (glm::dvec2(window.high) - low);
         return {tile.rect.x + in.x * tile.rect.width, tile.rect.y + (1 - in.y) * tile.rect.height};
     }
 };

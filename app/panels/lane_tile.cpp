@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "app/panels/widgets.h"
+#include "app/render/text.h"
 
 namespace whorl::app {
 namespace {
@@ -17,13 +17,11 @@ bool is_reference(const PanelContext& context, std::size_t lane) {
 }
 
 /// A line of text, cut with an ellipsis. @return its width
-float line(ImDrawList& list, const ImFont* font, ImVec2 at, float room, ImU32 colour, const std::string& text) {
-    ImGui::PushFont(const_cast<ImFont*>(font));
-    const std::string shown = fitted(text, room);
-    const float width = ImGui::CalcTextSize(shown.c_str()).x;
-    ImGui::PopFont();
-    list.AddText(font, font->FontSize, {std::floor(at.x), std::floor(at.y)}, colour, shown.c_str());
-    return width;
+float line(ImDrawList& list, const ImFont& font, ImVec2 at, float room, ImU32 colour,
+           const std::string& text) {
+    const std::string shown = fitted(font, text, room);
+    add_text(list, font, at, colour, shown);
+    return text_width(font, shown);
 }
 
 void title_help(PanelContext& context, std::size_t lane, const std::string& key) {
@@ -63,19 +61,20 @@ void draw_lane_title(PanelContext& context, std::size_t lane, ImVec2 corner, flo
     float right = corner.x + width;
     const float small_top = top + theme.body->Ascent - theme.small->Ascent;
     if (is_reference(context, lane)) {
-        const float tag = theme.small->CalcTextSizeA(theme.small->FontSize, FLT_MAX, 0, "reference").x;
+        const float tag = text_width(*theme.small, "reference");
         if (width > 2.2f * tag) {
             right -= tag;
-            line(list, theme.small, {right, small_top}, tag + 1, theme.palette.accent, "reference");
+            line(list, *theme.small, {right, small_top}, tag + 1, theme.palette.accent, "reference");
             right -= theme.px(8);
         }
     }
     const ImU32 colour = selected || hovered ? theme.palette.text : theme.palette.text_dim;
-    x += line(list, selected ? theme.bold : theme.body, {x, top}, right - x, colour, context.names.name(lane));
+    x += line(list, selected ? *theme.bold : *theme.body, {x, top}, right - x, colour,
+              context.names.name(lane));
     x += theme.px(8);
     const std::string& differs = context.names.difference(lane);
     if (!differs.empty() && right - x > theme.px(30))
-        line(list, theme.small, {x, small_top}, right - x, theme.palette.text_dim, differs);
+        line(list, *theme.small, {x, small_top}, right - x, theme.palette.text_dim, differs);
 }
 
 void draw_lane_frame(const PanelContext& context, const FieldTile& tile, bool marked) {
@@ -100,7 +99,7 @@ void draw_lane_state(const PanelContext& context, const FieldTile& tile) {
     const auto width = static_cast<float>(tile.part.width);
     if (!s.failure) {
         if (context.fields.of(tile.lane) == nullptr)
-            line(list, theme.small, {left + theme.px(8), top + theme.px(8)}, width - theme.px(16),
+            line(list, *theme.small, {left + theme.px(8), top + theme.px(8)}, width - theme.px(16),
                  theme.palette.text_dim, "Nothing to show here");
         return;
     }

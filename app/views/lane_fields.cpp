@@ -57,7 +57,8 @@ void LaneFields::subtract(const SessionSnapshot& session) {
         if (!out.same_shape(*minuend)) out = *minuend;
         for (int j = 0; j < out.height(); ++j) {
             const Real* of_lane = minuend->row(j);
-            std::transform(of_lane, of_lane + out.width(), subtrahend->row(j), out.row(j), std::minus<Real>());
+            std::transform(of_lane, of_lane + out.width(), subtrahend->row(j), out.row(j),
+                           std::minus<Real>());
         }
         shown_[k] = true;
     }

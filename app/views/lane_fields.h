@@ -36,11 +36,11 @@ class LaneFields {
     bool difference_ = false;
     std::size_t reference_ = 0;
     std::vector<const Field*> fields_;
-    std::vector<Field> worked_out_;   ///< of views that no snapshot holds
+    std::vector<Field> worked_out_;  ///< of views that no snapshot holds
     std::vector<Field> differences_;
-    std::vector<char> shown_;         ///< whether a lane has a difference
-    Field filled_, averaged_;         ///< the reference, with its ghosts; on a lane's grid
-    Boundary domain_;                 ///< of the reference, without solids
+    std::vector<char> shown_;  ///< whether a lane has a difference
+    Field filled_, averaged_;  ///< the reference, with its ghosts; on a lane's grid
+    Boundary domain_;          ///< of the reference, without solids
     Averager averager_;
     Range span_{0, 1};
     long version_ = 0;
