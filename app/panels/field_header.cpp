@@ -31,42 +31,44 @@ const char* hints(const Snapshot& s, float width) {
     return "";
 }
 
-/// Position, value and cell under the mouse.
-std::string reading(const PanelContext& context, const FieldPlacement& place) {
-    const ImVec2 mouse = ImGui::GetIO().MousePos;
-    const auto px = static_cast<double>(mouse.x);
-    const auto py = static_cast<double>(mouse.y);
-    const FieldTile* tile = place.at(px, py);
-    if (tile == nullptr || context.fields.of(tile->lane) == nullptr) return {};
-    const Snapshot& s = context.remote.session().lanes[tile->lane];
-    const WorldPoint at = place.world(*tile, px, py);
+/// Position, cell and value under a pixel, without the cell where there is no room for it.
+std::string reading(const PanelContext& context, const FieldPlacement& place, const FieldTile& tile,
+                    ImVec2 pixel, float room) {
+    const Snapshot& s = context.remote.session().lanes[tile.lane];
+    const WorldPoint at = place.world(tile, static_cast<double>(pixel.x), static_cast<double>(pixel.y));
     const int i = std::clamp(static_cast<int>(at.x / s.grid.h), 0, s.grid.nx - 1);
     const int j = std::clamp(static_cast<int>(at.y / s.grid.h), 0, s.grid.ny - 1);
-    const Field& field = *context.fields.of(tile->lane);
+    const Field& field = *context.fields.of(tile.lane);
     const bool solid = s.solids[static_cast<std::size_t>(j) * s.grid.nx + i] != 0;
-    char line[96];
-    std::snprintf(line, sizeof line, "(%.2f, %.2f)  cell %d, %d  ", at.x, at.y, i, j);
-    return line + (solid ? "solid" : figure(static_cast<double>(field(i, j)), 4));
+    const std::string value = solid ? "solid" : figure(static_cast<double>(field(i, j)), 4);
+    char where[48], cell[48];
+    std::snprintf(where, sizeof where, "(%.2f, %.2f)  ", at.x, at.y);
+    std::snprintf(cell, sizeof cell, "cell %d, %d  ", i, j);
+    const std::string whole = std::string(where) + cell + value;
+    return ImGui::CalcTextSize(whole.c_str()).x <= room ? whole : where + value;
 }
 
 /// The reading at the right end of a line, behind the name of its lane where there is room for both.
-void draw_reading(const PanelContext& context, const FieldPlacement& place, const std::string& line,
-                  float right, float y, float room) {
+/// @return whether the pointer is on a field
+bool draw_reading(const PanelContext& context, const FieldPlacement& place, float right, float y,
+                  float room) {
     const Theme& theme = context.theme;
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const FieldTile* tile = place.at(static_cast<double>(mouse.x), static_cast<double>(mouse.y));
+    if (tile == nullptr || context.fields.of(tile->lane) == nullptr) return false;
     ImGui::PushFont(theme.mono);
-    const std::string shown = fitted(line, room);
+    const std::string shown = fitted(reading(context, place, *tile, mouse, room), room);
     const float wide = ImGui::CalcTextSize(shown.c_str()).x;
     ImGui::SetCursorScreenPos({right - wide, y});
     text(theme.palette.text, shown);
     ImGui::PopFont();
-    if (context.names.size() == 1) return;
-    const ImVec2 mouse = ImGui::GetIO().MousePos;
-    const FieldTile& tile = *place.at(static_cast<double>(mouse.x), static_cast<double>(mouse.y));
-    const std::string& name = context.names.name(tile.lane);
+    if (context.names.size() == 1) return true;
+    const std::string& name = context.names.name(tile->lane);
     const float name_width = ImGui::CalcTextSize(name.c_str()).x;
-    if (name_width + wide + theme.px(12) > room) return;
+    if (name_width + wide + theme.px(12) > room) return true;
     ImGui::SetCursorScreenPos({right - wide - theme.px(12) - name_width, y - theme.px(1)});
-    text(theme.lane(static_cast<int>(tile.lane)), name);
+    text(theme.lane(static_cast<int>(tile->lane)), name);
+    return true;
 }
 
 /// Chips of how lanes are compared, from the right end of the line to the left.
@@ -76,7 +78,7 @@ class Chips {
 
     bool add(const char* label, const char* key, bool chosen, const HelpText& help) {
         const Theme& theme = context_.theme;
-        const float width = std::ceil(ImGui::CalcTextSize(label).x) + theme.px(16);
+        const float width = std::ceil(ImGui::CalcTextSize(label, nullptr, true).x) + theme.px(16);
         right_ -= width;
         ImGui::SetCursorScreenPos({right_, y_});
         const bool pressed = chip(theme, label, chosen, width);
@@ -143,13 +145,10 @@ void draw_field_header(PanelContext& context, const FieldPlacement& place, ImVec
     text(theme.palette.text, view.label);
     const float used = ImGui::GetItemRectSize().x;
     ImGui::PopFont();
-    const std::string under = reading(context, place);
-    if (!under.empty()) {
-        draw_reading(context, place, under, corner.x + width, corner.y + theme.px(3),
-                     width - used - theme.px(12));
-    } else if (!view.unit.empty()) {
-        ImGui::SameLine(0, theme.px(8));
-        ImGui::SetCursorScreenPos({ImGui::GetCursorScreenPos().x, corner.y + theme.px(4)});
+    const bool reads =
+        draw_reading(context, place, corner.x + width, corner.y + theme.px(3), width - used - theme.px(12));
+    if (!reads && !view.unit.empty()) {
+        ImGui::SetCursorScreenPos({corner.x + used + theme.px(8), corner.y + theme.px(4)});
         ImGui::PushFont(theme.small);
         text(theme.palette.text_dim, view.unit);
         ImGui::PopFont();

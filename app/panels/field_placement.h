@@ -27,7 +27,7 @@ struct FieldPlacement {
     std::vector<FieldTile> tiles;  ///< none if the run is drawn as curves
     ViewWindow window{};           ///< part of the domain that each shows
     glm::ivec2 cells{1, 1};        ///< of the finest lane
-    std::optional<float> wipe;     ///< x of the line that divides two lanes
+    std::optional<float> wipe{};   ///< x of the line that divides two lanes
     bool covered = false;          ///< a list or the help lies over them: do not paint
 
     /// The tile under a pixel, if any.

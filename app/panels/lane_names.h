@@ -11,20 +11,14 @@ namespace whorl::app {
 /// Names of the lanes of a sound setup, worked out anew when it changes.
 class LaneNames {
   public:
-    void update(const Setup& setup) {
-        if (!names_.empty() && setup == setup_) return;
-        setup_ = setup;
-        names_ = titles(setup);
-        differences_ = differences(lane_scenes(setup));
-    }
+    /// @pre lane_scenes(setup) succeeds
+    void update(const Setup& setup);
+
     std::size_t size() const { return names_.size(); }
     /// Its name, else what differs, else its number.
     const std::string& name(std::size_t lane) const { return names_[lane]; }
     /// What differs, where its name does not say that already; may be empty.
-    const std::string& difference(std::size_t lane) const {
-        static const std::string none;
-        return setup_.lanes[lane].name.empty() ? none : differences_[lane];
-    }
+    const std::string& difference(std::size_t lane) const { return differences_[lane]; }
 
   private:
     Setup setup_;

@@ -15,15 +15,17 @@ namespace {
 
 using LaneList = std::vector<LaneSetup>;
 
-/// A refusal can leave lanes that have no titles.
-std::vector<std::string> names_of(const Setup& setup) {
+/// Names of lanes that have not been made yet; those of a choice that will be refused may differ in nothing.
+LaneNames names_of(const Setup& setup) {
+    LaneNames names;
     try {
-        return titles(setup);
+        names.update(setup);
     } catch (const InputError&) {
-        std::vector<std::string> names;
-        for (const LaneSetup& lane : setup.lanes) names.push_back(lane.name);
-        return names;
+        Setup plain{{}, LaneList(setup.lanes.size())};
+        for (std::size_t k = 0; k < setup.lanes.size(); ++k) plain.lanes[k].name = setup.lanes[k].name;
+        names.update(plain);
     }
+    return names;
 }
 
 // ---- comparisons
@@ -147,7 +149,7 @@ void lane_row(PanelContext& context, std::size_t lane, const std::string& name, 
                  fitted(*theme.small, differs, right - x));
 }
 
-void lane_list(PanelContext& context, const std::vector<std::string>& names) {
+void lane_list(PanelContext& context, const LaneNames& names) {
     const Setup& setup = context.remote.setup();
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,
                         ImVec2(ImGui::GetStyle().ItemSpacing.x, context.theme.px(2)));
@@ -157,9 +159,7 @@ void lane_list(PanelContext& context, const std::vector<std::string>& names) {
         if (id != Remote::unknown && id == context.view.renaming.id) {
             name_field(context, k);
         } else {
-            // Both lists are of the same lanes but for the moment in which a change has not acted.
-            const bool known = k < context.names.size() && !setup.lanes[k].name.empty();
-            lane_row(context, k, names[k], known ? context.names.difference(k) : std::string());
+            lane_row(context, k, names.name(k), names.difference(k));
         }
         ImGui::PopID();
     }
@@ -262,11 +262,11 @@ void buttons(PanelContext& context) {
     ImGui::PopStyleVar();
 }
 
-void reference_list(PanelContext& context, const std::vector<std::string>& names) {
+void reference_list(PanelContext& context, const LaneNames& names) {
     const int chosen = context.remote.setup().reference;
     row_label(context.theme, "Reference");
     const float room = ImGui::CalcItemWidth() - 1.4f * ImGui::GetFrameHeight();
-    const std::string shown = chosen == no_reference ? "None" : names[static_cast<std::size_t>(chosen)];
+    const std::string shown = chosen == no_reference ? "None" : names.name(static_cast<std::size_t>(chosen));
     const auto choose = [&](int lane) {
         Arrange changed = context.remote.arrangement();
         changed.reference = lane;
@@ -276,7 +276,7 @@ void reference_list(PanelContext& context, const std::vector<std::string>& names
         if (ImGui::Selectable("None", chosen == no_reference)) choose(no_reference);
         context.trace.control("reference=none");
         for (std::size_t k = 0; k < names.size(); ++k) {
-            const std::string id = names[k] + "##" + std::to_string(k);
+            const std::string id = names.name(k) + "##" + std::to_string(k);
             if (ImGui::Selectable(id.c_str(), chosen == static_cast<int>(k))) choose(static_cast<int>(k));
             context.trace.control("reference=" + std::to_string(k + 1));
         }
@@ -316,7 +316,7 @@ void finer_reference(PanelContext& context) {
     }
 }
 
-void scope(PanelContext& context, const std::vector<std::string>& names) {
+void scope(PanelContext& context, const LaneNames& names) {
     row_label(context.theme, "Controls set");
     const float gap = std::floor(0.5f * ImGui::GetStyle().ItemSpacing.x);
     const float width = std::floor(0.5f * (ImGui::GetContentRegionAvail().x - gap));
@@ -331,7 +331,8 @@ void scope(PanelContext& context, const std::vector<std::string>& names) {
     ImGui::SameLine(0, gap);
     if (chip(context.theme, "This lane", only, width)) context.remote.set_lane_only(true);
     context.trace.control("scope=lane");
-    const std::string what = "The controls below set values of " + names[context.remote.selected_in_setup()] +
+    const std::string what = "The controls below set values of " +
+                             names.name(context.remote.selected_in_setup()) +
                              " alone. Right-click a control that is marked to go back to the value of all.";
     context.help.item(context.theme, "scope=lane", {"This lane", what, "", "", ""});
 }
@@ -339,7 +340,11 @@ void scope(PanelContext& context, const std::vector<std::string>& names) {
 }  // namespace
 
 void draw_lanes_panel(PanelContext& context) {
-    const std::vector<std::string> names = names_of(context.remote.setup());
+    const Setup& setup = context.remote.setup();
+    LaneNames chosen;
+    const bool made = setup == context.remote.session().setup;
+    if (!made) chosen = names_of(setup);
+    const LaneNames& names = made ? context.names : chosen;
     const bool several = names.size() > 1;
     comparison_list(context);
     if (several) lane_list(context, names);
