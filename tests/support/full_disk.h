@@ -11,6 +11,13 @@
 
 namespace whorl::test {
 
+/// From now on no file of this process, or of those it starts, can grow beyond `bytes`.
+inline void fill_disk(rlim_t bytes) {
+    std::signal(SIGXFSZ, SIG_IGN);  // the write fails instead
+    const rlimit limit{bytes, bytes};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+}
+
 /// Runs `work` where no file can grow beyond `bytes`, and returns the message of what it throws, or nothing.
 /// Says "it crashed" if it does not come back.
 template <class Work>
@@ -19,9 +26,7 @@ std::string on_full_disk(rlim_t bytes, const Work& work) {
     if (::pipe(ends) != 0) return "no pipe";
     const pid_t child = ::fork();
     if (child == 0) {
-        std::signal(SIGXFSZ, SIG_IGN);  // the write fails instead
-        const rlimit limit{bytes, bytes};
-        ::setrlimit(RLIMIT_FSIZE, &limit);
+        fill_disk(bytes);
         std::string message;
         try {
             work();
