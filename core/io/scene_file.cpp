@@ -1,10 +1,12 @@
 #include "core/io/scene_file.h"
 
-#include <toml++/toml.h>
+#include <cmath>
 #include <fstream>
+#include <limits>
 #include <sstream>
 
 #include "core/experiments/experiment.h"
+#include "core/io/toml_text.h"
 #include "core/scene/error.h"
 #include "core/scene/parameters.h"
 #include "core/schemes/suggest.h"
@@ -12,8 +14,10 @@
 namespace whorl {
 namespace {
 
-constexpr std::uintmax_t max_bytes = 1 << 20;
+constexpr std::size_t max_bytes = std::size_t{1} << 20;
 constexpr std::size_t max_tables = 1000;  // emitters, and obstacles
+/// Lengths and what an emitter holds, either sign: far beyond any domain, and few enough cells to count.
+constexpr double max_number = 1e5;
 
 /// Says where in a text something is wrong.
 class Reader {
@@ -21,8 +25,7 @@ class Reader {
     explicit Reader(std::string_view name) : name_(name) {}
 
     [[noreturn]] void fail(const toml::source_region& at, const std::string& reason) const {
-        throw InputError(std::string(name_) + ":" + std::to_string(at.begin.line) + ":" +
-                         std::to_string(at.begin.column) + ": " + reason);
+        fail_at(name_, at.begin, reason);
     }
 
     /// The node's value as `--set` would be given it.
@@ -39,9 +42,10 @@ class Reader {
         fail(node.source(), "expected a number, a truth or a word");
     }
 
-    double number(const toml::node& node, const std::string& key) const {
+    double number(const toml::node& node, const std::string& key, double most) const {
         const auto value = node.value<double>();
         if (!value || *value != *value) fail(node.source(), key + " is not a number");
+        if (std::abs(*value) > most) fail(node.source(), key + " is out of range: -100000 to 100000");
         return *value;
     }
 
@@ -52,6 +56,7 @@ class Reader {
 struct NumberKey {
     std::string_view key;
     double* value;
+    double most = max_number;
 };
 
 /// Fills numbers from a table, and knows no other keys.
@@ -62,7 +67,7 @@ void read_numbers(const Reader& reader, const toml::table& table, std::initializ
         for (const NumberKey& k : known) {
             keys.push_back(k.key);
             if (k.key != key.str()) continue;
-            *k.value = reader.number(node, std::string(key.str()));
+            *k.value = reader.number(node, std::string(key.str()), k.most);
             found = true;
         }
         if (!found)
@@ -87,6 +92,7 @@ void for_tables(const Reader& reader, const toml::node& node, const char* what, 
 }
 
 void read_emitter(const Reader& reader, const toml::table& table, Scene& scene) {
+    constexpr double unlimited = std::numeric_limits<double>::infinity();  // "never" is a time
     Emitter e;
     read_numbers(reader, table,
                  {{"x", &e.x},
@@ -95,8 +101,8 @@ void read_emitter(const Reader& reader, const toml::table& table, Scene& scene) 
                   {"height", &e.height},
                   {"density", &e.density},
                   {"temperature", &e.temperature},
-                  {"from", &e.from},
-                  {"until", &e.until}});
+                  {"from", &e.from, unlimited},
+                  {"until", &e.until, unlimited}});
     if (e.width <= 0 || e.height <= 0)
         reader.fail(table.source(), "an emitter's width and height are more than 0");
     scene.emitters.push_back(e);
@@ -140,12 +146,7 @@ void read_parameters(const Reader& reader, const toml::table& table, const std::
 
 Scene parse_scene(std::string_view text, std::string_view name) {
     const Reader reader(name);
-    toml::table table;
-    try {
-        table = toml::parse(text, name);
-    } catch (const toml::parse_error& e) {
-        reader.fail(e.source(), std::string(e.description()));
-    }
+    const toml::table table = parse_toml(text, name, max_bytes);
     const toml::node* version = table.get("whorl");
     if (version == nullptr) reader.fail({{1, 1}, {1, 1}, {}}, "not a Whorl scene: it begins with whorl = 1");
     if (version->value<int>() != scene_version) {
@@ -174,13 +175,13 @@ Scene parse_scene(std::string_view text, std::string_view name) {
 }
 
 Scene read_scene(const std::filesystem::path& path) {
-    std::error_code error;
-    const std::uintmax_t bytes = std::filesystem::file_size(path, error);
-    if (!error && bytes > max_bytes) throw InputError(path.string() + ": too large for a scene (over 1 MiB)");
     std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    if (!file || !(text << file.rdbuf())) throw InputError(path.string() + ": cannot be read as a scene");
-    return parse_scene(text.str(), path.string());
+    std::string text(max_bytes + 1, '\0');  // a device may have no end
+    file.read(text.data(), static_cast<std::streamsize>(text.size()));
+    if (!file.is_open() || file.bad()) throw InputError(path.string() + ": cannot be read as a scene");
+    text.resize(static_cast<std::size_t>(file.gcount()));
+    if (text.size() > max_bytes) throw InputError(path.string() + ": too large for a scene (over 1 MiB)");
+    return parse_scene(text, path.string());
 }
 
 std::string write_scene(const Scene& scene) {

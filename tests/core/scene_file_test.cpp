@@ -74,5 +74,76 @@ TEST(SceneFile, SurvivesHostileText) {
     EXPECT_NE(complaint("whorl = 1\nresolution = nan\n"), "");
 }
 
+// What fuzzing, and thinking of it, found.
+
+TEST(SceneFile, RefusesKeysOfManyDots) {
+    std::string dots;
+    for (int k = 0; k < 100'000; ++k) dots += "a.";
+    EXPECT_EQ(complaint("whorl = 1\n" + dots + "a = 1\n"), "scene.toml:2:66: too many dots in a key");
+    EXPECT_NE(complaint("[" + dots + "a]\n").find("too many dots"), std::string::npos);
+    EXPECT_NE(complaint("x = {" + dots + "a = 1}\n").find("too many dots"), std::string::npos);
+    std::string quoted;
+    for (int k = 0; k < 100'000; ++k) quoted += "\".\" . ";
+    EXPECT_NE(complaint(quoted + "a = 1\n").find("too many dots"), std::string::npos);
+    // The deepest that is let through: values nest no deeper than 256.
+    std::string deep = "whorl = 1\n", end;
+    for (int k = 0; k < 250; ++k) {
+        deep += dots.substr(0, 2 * 32) + "a = {";
+        end += "}";
+    }
+    EXPECT_NE(complaint(deep + "b = 1" + end + "\n"), "");
+    EXPECT_EQ(complaint("whorl = 1\n# ......... e.g. this .............................................\n"
+                        "title = \"One. Two. Three ........................................\"\n"),
+              "");
+}
+
+TEST(SceneFile, LongWordsTakeNoTime) {
+    const std::string word(1 << 19, 'z');  // each letter was compared with each of every key
+    for (const std::string& text :
+         {word + " = 1\n", "experiment = \"" + word + "\"\n", "advector = \"" + word + "\"\n",
+          "[[emitter]]\n" + word + " = 1\n", "zeta = \"" + word + "\"\n"}) {
+        const std::string reason = complaint("whorl = 1\n" + text);
+        EXPECT_NE(reason, "");
+        EXPECT_LT(reason.size(), 500u) << "nor does the message repeat them";
+    }
+}
+
+TEST(SceneFile, ErrorsAreALine) {
+    EXPECT_TRUE(complaint("whorl = 1\n\"a\\nb\\u0001\" = 1\n")
+                    .starts_with("scene.toml:2:1: unknown parameter \"a?b?\""));
+    EXPECT_EQ(complaint("whorl = 1\nx = f\n").find('\n'), std::string::npos);
+    std::string letters;
+    while (letters.size() < 2000) letters += "ζ";
+    const std::string reason = complaint("whorl = 1\n\"x" + letters + "\" = 1\n");
+    EXPECT_TRUE(reason.ends_with("ζ …")) << "cut between letters: " << reason;
+}
+
+TEST(SceneFile, RefusesMoreCellsThanARunCanHold) {
+    const std::string tall = "whorl = 1\nwidth = 1\nheight = 1000\nresolution = 2048\n";
+    EXPECT_EQ(complaint(tall),
+              "scene.toml: 2048 × 2048000 cells are more than 8388608; set a lower resolution or height");
+    EXPECT_NE(complaint(tall + "[[obstacle]]\nradius = 1\n").find("cells are more than"), std::string::npos);
+    EXPECT_EQ(complaint("whorl = 1\nwidth = 40\nheight = 80\nresolution = 2048\n"), "");
+}
+
+TEST(SceneFile, RefusesNumbersThatAreNoPlace) {
+    for (const char* number : {"1e300", "-1e6", "inf", "100001"}) {
+        EXPECT_EQ(complaint(std::string("whorl = 1\n[[emitter]]\nx = ") + number + "\n"),
+                  "scene.toml:3:5: x is out of range: -100000 to 100000");
+        EXPECT_NE(complaint(std::string("whorl = 1\n[[obstacle]]\nradius = ") + number + "\n"), "");
+    }
+    EXPECT_EQ(complaint("whorl = 1\n[[emitter]]\nfrom = -inf\nuntil = inf\n"), "");
+}
+
+TEST(SceneFile, RefusesEndlessInput) {
+    EXPECT_EQ(complaint("whorl = 1\n#" + std::string(1 << 20, 'x')), "scene.toml:1:1: too long: over 1 MiB");
+    EXPECT_THROW(read_scene("/dev/zero"), InputError);
+    EXPECT_THROW(read_scene("/"), InputError);
+    EXPECT_THROW(read_scene("/no such file"), InputError);
+    std::string list = "whorl = 1\nemitter = [";
+    while (list.size() < 1'000'000) list += "{},";
+    EXPECT_EQ(complaint(list + "]\n"), "scene.toml:2:11: too many tables of emitter");
+}
+
 }  // namespace
 }  // namespace whorl
