@@ -7,6 +7,7 @@
 #include "app/views/views.h"
 #include "app/window/egl_context.h"
 #include "core/io/png.h"
+#include "core/io/whole_file.h"
 #include "core/scene/error.h"
 #include "core/scene/parameters.h"
 #include "core/schemes/suggest.h"
