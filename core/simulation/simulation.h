@@ -36,7 +36,10 @@ class Simulation {
     void add_forces();
     void project();
     void advect();
-    void measure();
+    /// Books what a phase changed to it. @param flow before the phase on entry, after it on return
+    void book(double PhaseChanges::*phase, FlowSums& flow);
+    /// @param flow of the present velocity
+    void measure(const FlowSums& flow);
 
     Scene scene_;
     Pool* pool_;
@@ -50,6 +53,7 @@ class Simulation {
     FaceVelocity next_velocity_;
     Field next_density_, next_temperature_, exact_;
     Meter meter_;
+    FlowSums resampled_;  ///< what changes of grid did to the flow since the last step
 };
 
 /// A field holds a value that is not finite.
