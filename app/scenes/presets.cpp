@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "app/scenes/files.h"
 #include "core/experiments/experiment.h"
-#include "core/io/png.h"
 #include "core/io/run_file.h"
 #include "core/scene/error.h"
 #include "core/schemes/suggest.h"
@@ -22,30 +22,12 @@ std::span<const Preset> presets() {
     return table;
 }
 
-namespace {
-
-Recording read_picture_run(std::string_view name) {
-    std::vector<TextChunk> chunks;
-    try {
-        read_png(name, &chunks);
-    } catch (const std::runtime_error& e) {
-        throw InputError(e.what());
-    }
-    for (const auto& [key, text] : chunks) {
-        if (key == run_chunk) return parse_run(text, name);
-    }
-    throw InputError(std::string(name) + ": this picture carries no run of Whorl");
-}
-
-}  // namespace
-
 Scene Preset::scene() const {
     return parse_run(text, key).setup.scene;
 }
 
 Recording find_run(std::string_view name) {
-    if (name.ends_with(".png")) return read_picture_run(name);
-    if (name.ends_with(".toml") || name.find('/') != std::string_view::npos) return read_run(name);
+    if (names_file(name)) return parse_run(run_text(name), name);
     std::vector<std::string_view> keys;
     for (const Preset& preset : presets()) {
         if (preset.key == name) return parse_run(preset.text, preset.key);

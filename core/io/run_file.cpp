@@ -151,7 +151,7 @@ Recording parse_run(std::string_view text, std::string_view name) {
     return recording;
 }
 
-Recording read_run(const std::filesystem::path& path) {
+std::string read_run_text(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);
     std::string text(max_run_bytes + 1, '\0');
     if (!file || !file.read(text.data(), 0)) throw InputError(path.string() + ": " + shape_of(path.string()));
@@ -160,7 +160,7 @@ Recording read_run(const std::filesystem::path& path) {
     if (file.bad() || (text.empty() && std::filesystem::is_directory(path)))
         throw InputError(path.string() + ": " + shape_of(path.string()));
     if (text.size() > max_run_bytes) throw InputError(path.string() + ": too large for a run (over 16 MiB)");
-    return parse_run(text, path.string());
+    return text;
 }
 
 std::string write_run(const Recording& recording) {

@@ -24,8 +24,8 @@ inline constexpr std::size_t max_run_bytes = std::size_t{16} << 20;
 /// @throws InputError with `name:line:column: reason`
 Recording parse_run(std::string_view text, std::string_view name);
 
-/// @throws InputError if the file cannot be read, is larger than any run, or as parse_run
-Recording read_run(const std::filesystem::path& path);
+/// The text of a run's file.  @throws InputError if it cannot be read or is larger than any run
+std::string read_run_text(const std::filesystem::path& path);
 
 /// All of a run, so that parse_run gives it back.
 std::string write_run(const Recording& recording);

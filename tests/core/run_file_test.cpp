@@ -37,8 +37,9 @@ TEST(RunFile, GivesEverySceneBack) {
 }
 
 TEST(RunFile, KeepsWhatItDoesNotName) {
-    const Scene scene = parse_run(
-        "whorl = 1\nexperiment = \"plume\"\nresolution = 64\nscalars.advector = \"aslam\"\n", "s").setup.scene;
+    const Scene scene =
+        parse_run("whorl = 1\nexperiment = \"plume\"\nresolution = 64\nscalars.advector = \"aslam\"\n", "s")
+            .setup.scene;
     const Scene plume = scene_of(experiment("plume"));
     EXPECT_EQ(scene.resolution, 64);
     EXPECT_EQ(scene.beta, plume.beta);
