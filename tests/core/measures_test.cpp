@@ -148,14 +148,20 @@ TEST(PhaseChanges, TheBrushIsAForce) {
                 rounding * stroke.enstrophy);
 }
 
+void set(Simulation& simulation, const char* setting) {
+    Scene scene = simulation.scene();
+    set_parameter(scene, setting);
+    simulation.set(scene);
+}
+
 TEST(PhaseChanges, AChangeOfGridIsNobodys) {
     Pool pool(1);
     Simulation simulation(scene_with("empty", {"alpha=0", "beta=0"}), pool);
     simulation.apply(SmokeStroke{.along = {20, 20, 22, 20}, .radius = 3, .push = 1, .velocity_x = 10});
     FlowMeter meter;
     const FlowSums stroke = meter.measure(simulation.state().velocity, simulation.state().boundary, pool);
-    simulation.apply(SetParameter{"resolution", "63"});
-    simulation.apply(SetParameter{"sides", "periodic"});
+    set(simulation, "resolution=63");
+    set(simulation, "sides=periodic");
     const FlowSums resampled = meter.measure(simulation.state().velocity, simulation.state().boundary, pool);
     ASSERT_NE(resampled.kinetic_energy, stroke.kinetic_energy);
     simulation.step();
@@ -180,8 +186,8 @@ TEST(PhaseChanges, StartAtNothing) {
         simulation.step();
         EXPECT_NEAR(sum(simulation.measures().energy_changes), simulation.measures().kinetic_energy - start,
                     rounding * start);
-        simulation.apply(SetParameter{"resolution", "50"});
-        simulation.apply(Restart{});
+        set(simulation, "resolution=50");
+        simulation.restart();
     }
 }
 
