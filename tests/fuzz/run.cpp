@@ -36,14 +36,15 @@ using Clock = std::chrono::steady_clock;
 
 /// A case that takes longer hangs: the slowest of them take a second in a slow build.
 constexpr std::chrono::seconds max_time{5};
-/// Memory of the process: the largest picture twice, and what the program takes itself.
-constexpr std::size_t max_memory = std::size_t{1} << 30;
+/// Memory of the process: the largest picture, 256 MiB, and the most text while it grows, 192 MiB, with room
+/// for the program and for what a sanitizer adds.
+constexpr std::size_t max_memory = std::size_t{640} << 20;
 constexpr std::chrono::milliseconds glance{20};
 
 /// What the two processes know of each other.
 struct Progress {
     std::atomic<std::uint64_t> number{0};  // of the case that is being read
-    std::atomic<std::int64_t> began{0};    // when, in the clock's own unit
+    std::atomic<std::int64_t> began{0};    // when, in the clock's own unit; 0 between two cases
     std::atomic<std::int64_t> slowest{0};  // time, in the same unit
     std::atomic<std::uint64_t> slowest_number{0};
 };
@@ -68,6 +69,7 @@ std::string input_of(const Reader& reader, std::uint64_t seed, std::uint64_t num
         progress.number = number;
         const std::string complaint = reader.read(input);
         const std::int64_t taken = (Clock::now() - began).count();
+        progress.began = 0;
         if (taken > progress.slowest) {
             progress.slowest = taken;
             progress.slowest_number = number;
@@ -96,9 +98,10 @@ std::string watch(pid_t process, const Progress& progress) {
             if (WIFSIGNALED(status)) return std::string("crashed: ") + ::strsignal(WTERMSIG(status));
             return WEXITSTATUS(status) == 0 ? "" : "failed";
         }
-        const auto age = Clock::now().time_since_epoch() - Clock::duration(progress.began.load());
-        const char* wrong = progress.began != 0 && age > max_time   ? "took more than 5 s"
-                            : resident_memory(process) > max_memory ? "took more than 1 GiB"
+        const std::int64_t began = progress.began;
+        const auto age = Clock::now().time_since_epoch() - Clock::duration(began);
+        const char* wrong = began != 0 && age > max_time            ? "took more than 5 s"
+                            : resident_memory(process) > max_memory ? "took more than 640 MiB"
                                                                     : nullptr;
         if (wrong != nullptr) {
             ::kill(process, SIGKILL);
