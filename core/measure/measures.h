@@ -1,10 +1,11 @@
-// The numbers of one step: conservation, energy, enstrophy, extrema.
+// The numbers of one step: conservation, energy, enstrophy, who took them, extrema.
 #pragma once
 
 #include <limits>
 #include <string>
 #include <vector>
 
+#include "core/measure/flow_sums.h"
 #include "core/parallel/pool.h"
 #include "core/pressure/solver.h"
 #include "core/scene/state.h"
@@ -14,6 +15,12 @@ namespace whorl {
 /// Milliseconds that the phases of a step took.
 struct PhaseTimes {
     double forces = 0, projection = 0, advection = 0, total = 0;
+};
+
+/// What the phases of a step added to a sum over the flow: together its change since the last step ended.
+/// `forces` holds what brush and obstacles did since then too. A change of grid is nobody's and is left out.
+struct PhaseChanges {
+    double forces = 0, projection = 0, advection = 0;
 };
 
 /// Errors against an exact solution; not a number where none is known.  [T 5.4, 5.6, 5.7]
@@ -27,6 +34,10 @@ struct Measures {
     double density_percent = 0;  ///< 100 ∫ρ over what was put in; NaN if nothing was  [T 5.5]
     double kinetic_energy = 0;   ///< ½ ∫|u|², from face velocities
     double enstrophy = 0;        ///< ½ ∫ω²
+    PhaseChanges energy_changes, enstrophy_changes;  ///< by the last step; NaN where the flow is given
+    /// Of the last step's advection, length²/time; NaN before the first step, in still air, where the flow is
+    /// given.
+    double effective_viscosity = std::numeric_limits<double>::quiet_NaN();
     double divergence_before = 0, divergence_after = 0;  ///< max |∇·u| around the projection, 1/time
     double relative_divergence = 0;                      ///< max |∇·u| h / |u|max after the projection
     double min_density = 0, max_density = 0;
@@ -43,25 +54,36 @@ std::string not_finite(const State& state);
 
 /// What is summed over a row of cells; rows are added up in order, so that threads do not change the result.
 struct RowSums {
-    double density = 0, heat = 0, energy = 0, enstrophy = 0;
+    double density = 0, heat = 0;
     double min = std::numeric_limits<double>::infinity(), max = -min, speed = 0;
 };
 
-/// Measures states; keeps its scratch field from step to step.
+/// Measures states; keeps its scratch from step to step.
 class Meter {
   public:
-    /// Fills in all that depends on the state alone.
-    void measure(const State& state, double dt, Pool& pool, Measures& out);
+    /// Kinetic energy and enstrophy. @param velocity ghosts filled
+    FlowSums flow(const FaceVelocity& velocity, const Boundary& boundary, Pool& pool) {
+        return flow_.measure(velocity, boundary, pool);
+    }
+    /// Fills in all that depends on the state alone. @param flow what `flow` says of its velocity
+    void measure(const State& state, const FlowSums& flow, double dt, Pool& pool, Measures& out);
     /// Whether every number of the last measured state was finite.
     bool finite() const { return finite_; }
 
   private:
-    Field vorticity_;
+    FlowMeter flow_;
     std::vector<RowSums> rows_;
     bool finite_ = true;
 };
 
-/// L1 = Σ|q−Q| h^d, L2 = √(Σ(q−Q)² h^d), L∞ = max|q−Q|, over all cells.  [T 5.4, 5.6, 5.7]
-Errors errors(const Field& q, const Field& exact, const Grid& grid);
+/// The viscosity ν that would take as much energy: in a viscous flow dE/dt = −ν 2Z.
+/// @param energy_change ΔE of the advection; one that gains energy has a negative viscosity
+/// @param enstrophy     Z = ½ ∫ω² of the velocity that the advection started from
+/// @return −ΔE / (Δt 2Z), length²/time; NaN where Z is 0
+double effective_viscosity(double energy_change, double enstrophy, double dt);
+
+/// L1 = Σ|q−Q| h^d, L2 = √(Σ(q−Q)² h^d), L∞ = max|q−Q|, over the fluid's cells.  [T 5.4, 5.6, 5.7]
+/// @param q, reference at centres
+Errors errors(const Field& q, const Field& reference, const Boundary& boundary);
 
 }  // namespace whorl

@@ -49,15 +49,17 @@ void Simulation::restart() {
     set_scene(scene_);
     projection_.restore({}, state_.boundary, *pool_);
     measures_ = {};
-    measure();
+    measure(meter_.flow(state_.velocity, state_.boundary, *pool_));
 }
 
 void Simulation::set_scene(const Scene& scene) {
     scene_ = scene;
     if (!(state_.grid() == scene.grid()) ||
         state_.boundary.periodic() != (scene.sides == Sides::of<Periodic>())) {
+        const FlowSums before = meter_.flow(state_.velocity, state_.boundary, *pool_);
         state_ = resample(state_, scene);
         projection_.restore({}, state_.boundary, *pool_);
+        resampled_ += meter_.flow(state_.velocity, state_.boundary, *pool_) - before;
     }
     if (!next_density_.same_shape(state_.density) || !next_velocity_.u.same_shape(state_.velocity.u)) {
         next_velocity_ = state_.boundary.velocity();
@@ -87,35 +89,55 @@ void Simulation::restore(const Checkpoint& checkpoint) {
     state_ = checkpoint.state;
     set_scene(checkpoint.scene);
     measures_ = checkpoint.measures;
+    resampled_ = checkpoint.resampled;
     projection_.restore(checkpoint.projection, state_.boundary, *pool_);
 }
 
 void Simulation::step() {
     measures_.ms = {};
+    FlowSums flow{measures_.kinetic_energy, measures_.enstrophy};
     {
         const Stopwatch total(measures_.ms.total);
         if (experiment_->flow) {
             experiment_->flow(state_.time, state_.grid(), state_.velocity);
             state_.boundary.fill(state_.velocity);
             advect();
+            flow = meter_.flow(state_.velocity, state_.boundary, *pool_);
         } else {
+            flow += resampled_;
             add_forces();
+            book(&PhaseChanges::forces, flow);
             if (scene_.order == StepOrders::of<ThesisOrder>()) {
                 project();
+                book(&PhaseChanges::projection, flow);
                 advect();
+                book(&PhaseChanges::advection, flow);
             } else {
                 advect();
+                book(&PhaseChanges::advection, flow);
                 project();
+                book(&PhaseChanges::projection, flow);
             }
         }
         ++state_.step;
         state_.time += scene_.dt;
     }
-    measure();
+    measure(flow);
     if (!meter_.finite()) {
         throw NotFinite("step " + std::to_string(state_.step) + ": " + not_finite(state_) +
                         " is not a finite number");
     }
+}
+
+void Simulation::book(double PhaseChanges::*phase, FlowSums& flow) {
+    const FlowSums before = flow;
+    flow = meter_.flow(state_.velocity, state_.boundary, *pool_);
+    const FlowSums change = flow - before;
+    measures_.energy_changes.*phase = change.kinetic_energy;
+    measures_.enstrophy_changes.*phase = change.enstrophy;
+    if (phase == &PhaseChanges::advection)
+        measures_.effective_viscosity =
+            effective_viscosity(change.kinetic_energy, before.enstrophy, scene_.dt);
 }
 
 void Simulation::add_forces() {
@@ -174,11 +196,16 @@ bool Simulation::exact(Field& density) const {
     return experiment_->exact(state_.time, scene_.dt, state_.grid(), density);
 }
 
-void Simulation::measure() {
+void Simulation::measure(const FlowSums& flow) {
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-    meter_.measure(state_, scene_.dt, *pool_, measures_);
+    meter_.measure(state_, flow, scene_.dt, *pool_, measures_);
+    if (experiment_->flow) {
+        measures_.energy_changes = {unknown, unknown, unknown};
+        measures_.enstrophy_changes = measures_.energy_changes;
+    }
     measures_.errors =
-        exact(exact_) ? errors(state_.density, exact_, state_.grid()) : Errors{unknown, unknown, unknown};
+        exact(exact_) ? errors(state_.density, exact_, state_.boundary) : Errors{unknown, unknown, unknown};
+    resampled_ = {};
 }
 
 }  // namespace whorl

@@ -15,6 +15,7 @@ struct Checkpoint {
     Scene scene;
     State state;
     Measures measures;
+    FlowSums resampled;
     Projection::Memory projection;
 };
 
@@ -37,7 +38,9 @@ class Simulation {
     /// Back to the start of the scene as it is now set, as if made anew.
     void restart();
 
-    Checkpoint checkpoint() const { return {scene_, state_, measures_, projection_.memory(state_.boundary)}; }
+    Checkpoint checkpoint() const {
+        return {scene_, state_, measures_, resampled_, projection_.memory(state_.boundary)};
+    }
     void restore(const Checkpoint& checkpoint);
 
     const Scene& scene() const { return scene_; }
@@ -52,7 +55,10 @@ class Simulation {
     void add_forces();
     void project();
     void advect();
-    void measure();
+    /// Books what a phase changed to it. @param flow before the phase on entry, after it on return
+    void book(double PhaseChanges::*phase, FlowSums& flow);
+    /// @param flow of the present velocity
+    void measure(const FlowSums& flow);
 
     Scene scene_;
     Pool* pool_;
@@ -66,6 +72,7 @@ class Simulation {
     FaceVelocity next_velocity_;
     Field next_density_, next_temperature_, exact_;
     Meter meter_;
+    FlowSums resampled_;  ///< what changes of grid did to the flow since the last step
 };
 
 /// A field holds a value that is not finite.
