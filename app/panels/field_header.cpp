@@ -133,6 +133,13 @@ float draw_chips(PanelContext& context, const FieldPlacement& place, float right
 
 }  // namespace
 
+std::string shown_quantity(const PanelContext& context) {
+    std::string words(context.fields.view().label);
+    if (context.fields.difference())
+        words += " less that of " + context.names.name(context.fields.reference());
+    return words;
+}
+
 float field_header_height(const Theme& theme, bool several) {
     return theme.title->FontSize + theme.small->FontSize + theme.px(several ? 22 : 18);
 }
