@@ -292,8 +292,10 @@ FieldPlacement draw_field_area(PanelContext& context) {
                         static_cast<int>(height)};
     int k = 0;
     for (const std::size_t lane : lanes_on_screen(context)) {
-        const float x = left + static_cast<float>(k % tiles.columns) * (tiles.width + gap);
-        const float y = top + static_cast<float>(k / tiles.columns) * (tiles.height + head) + head;
+        const int row = k / tiles.columns;
+        const int column = k % tiles.columns;
+        const float x = left + static_cast<float>(column) * (tiles.width + gap);
+        const float y = top + static_cast<float>(row) * (tiles.height + head) + head;
         place.tiles.push_back(tile_in(context, lane,
                                       {static_cast<int>(x), static_cast<int>(y),
                                        static_cast<int>(tiles.width), static_cast<int>(tiles.height)}));
