@@ -39,7 +39,7 @@ void write_rows(Series& csv, const SessionSnapshot& s, Viscosities& viscosities)
     const std::vector<std::string> names = titles(s.setup);
     for (std::size_t k = 0; k < s.lanes.size(); ++k) {
         const Measures& m = s.lanes[k].measures;
-        const double row[] = {static_cast<double>(m.step),
+        const double row[] = {static_cast<double>(s.step),
                               m.time,
                               m.density_percent,
                               m.kinetic_energy,

@@ -26,9 +26,14 @@ class Rows {
     void add(const Session& session) {
         for (std::size_t k = 0; k < session.lane_count(); ++k) {
             const Measures& m = session.measures(k);
-            const double row[] = {
-                static_cast<double>(m.step), m.time,        m.density_percent, m.kinetic_energy, m.enstrophy,
-                m.divergence_after,          m.min_density, m.max_density};
+            const double row[] = {static_cast<double>(session.step_number()),
+                                  m.time,
+                                  m.density_percent,
+                                  m.kinetic_energy,
+                                  m.enstrophy,
+                                  m.divergence_after,
+                                  m.min_density,
+                                  m.max_density};
             if (names_.size() > 1) {
                 series_.row(k < names_.size() ? names_[k] : std::to_string(k + 1), row);
             } else {
@@ -128,8 +133,8 @@ void say_summary(const std::string& scene, const Session& session) {
                                       ? "density " + figure(m.density_percent) + " % of what was put in"
                                       : "no smoke";
         const std::string name = session.lane_count() > 1 ? names[k] : scene;
-        std::printf("%s: step %ld, t = %g, %s, kinetic energy %.4g, enstrophy %.4g\n", name.c_str(), m.step,
-                    m.time, smoke.c_str(), m.kinetic_energy, m.enstrophy);
+        std::printf("%s: step %ld, t = %g, %s, kinetic energy %.4g, enstrophy %.4g\n", name.c_str(),
+                    session.step_number(), m.time, smoke.c_str(), m.kinetic_energy, m.enstrophy);
     }
 }
 
