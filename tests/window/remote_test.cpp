@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <thread>
 
@@ -164,6 +165,25 @@ TEST(Remote, SelectionStaysWithALaneThatMovesAndGoesToOneThatIsAdded) {
     EXPECT_EQ(s.remote.selected(), 0u);
     EXPECT_EQ(s.remote.other(), 0u);
     EXPECT_FALSE(s.remote.lane_only()) << "one lane is all lanes";
+}
+
+TEST(Remote, ARestartKeepsTheSelectedLane) {
+    Steered s(three_lanes());
+    s.remote.select(2);
+    Arrange moved = s.remote.arrangement();
+    std::rotate(moved.lanes.begin(), moved.lanes.begin() + 2, moved.lanes.end());
+    std::rotate(moved.from.begin(), moved.from.begin() + 2, moved.from.end());
+    EXPECT_TRUE(s.remote.arrange(moved));
+    ASSERT_TRUE(settled(s));
+    ASSERT_EQ(s.remote.session().setup.lanes[s.remote.selected()].name, "c");
+    const int run = s.remote.session().run;
+    s.remote.restart();
+    for (int k = 0; k < 500 && s.remote.session().run == run; ++k) {
+        s.remote.begin_frame();
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    ASSERT_NE(s.remote.session().run, run);
+    EXPECT_EQ(s.remote.session().setup.lanes[s.remote.selected()].name, "c");
 }
 
 TEST(Remote, LanesThatCannotBeAreANotice) {
