@@ -18,43 +18,69 @@ Interval around(double value, bool log_y) {
     return value > 0.0 ? Interval{0.0, value + margin} : Interval{value - margin, 0.0};
 }
 
+/// Place in an interval, 0 at its start and 1 at its end.
+double part_of(double value, const Interval& range, bool logarithmic) {
+    return logarithmic ? std::log(value / range.lo) / std::log(range.hi / range.lo)
+                       : (value - range.lo) / (range.hi - range.lo);
+}
+
 }  // namespace
 
-std::size_t Abscissa::nearest(double x, std::size_t n) const {
-    if (plot_.x.empty()) {
-        const double k = std::round((x - plot_.x_first) / plot_.x_stride);
-        return static_cast<std::size_t>(std::clamp(k, 0.0, static_cast<double>(n - 1)));
+std::size_t Abscissa::nearest(double x) const {
+    if (x_.empty()) {
+        const double k = std::round((x - first_) / stride_);
+        return static_cast<std::size_t>(std::clamp(k, 0.0, static_cast<double>(count_ - 1)));
     }
-    const auto samples = plot_.x.first(n);
+    const auto samples = x_.first(count_);
     const auto above = std::lower_bound(samples.begin(), samples.end(), static_cast<float>(x));
     const auto k = static_cast<std::size_t>(above - samples.begin());
-    if (k == n) return n - 1;
+    if (k == count_) return count_ - 1;
     if (k > 0 && x - at(k - 1) < at(k) - x) return k - 1;
     return k;
 }
 
 float Frame::to_x(double value) const {
-    return low.x + static_cast<float>((value - x.lo) / (x.hi - x.lo)) * (high.x - low.x);
+    return low.x + static_cast<float>(part_of(value, x, log_x)) * (high.x - low.x);
 }
 
 float Frame::to_y(double value) const {
-    const double part =
-        log_y ? std::log(value / y.lo) / std::log(y.hi / y.lo) : (value - y.lo) / (y.hi - y.lo);
-    return high.y - static_cast<float>(part) * (high.y - low.y);
+    return high.y - static_cast<float>(part_of(value, y, log_y)) * (high.y - low.y);
 }
 
 double Frame::from_x(float pixel) const {
-    return x.lo + static_cast<double>((pixel - low.x) / (high.x - low.x)) * (x.hi - x.lo);
+    const auto part = static_cast<double>((pixel - low.x) / (high.x - low.x));
+    return log_x ? x.lo * std::pow(x.hi / x.lo, part) : x.lo + part * (x.hi - x.lo);
 }
 
 Interval fit_x(const Plot& plot, std::span<const Series> series) {
-    const Abscissa abscissa(plot);
-    std::size_t longest = 0;
-    for (const Series& one : series) longest = std::max(longest, abscissa.count(one));
-    if (longest == 0) return {plot.x_first, plot.x_first + plot.x_stride};
-    const double lo = abscissa.at(0);
-    const double hi = abscissa.at(longest - 1);
+    double lo = DBL_MAX;
+    double hi = -DBL_MAX;
+    for (const Series& one : series) {
+        const Abscissa abscissa(plot, one);
+        std::size_t first = 0;
+        while (plot.log_x && first < abscissa.count() && !(abscissa.at(first) > 0.0)) ++first;
+        if (first == abscissa.count()) continue;
+        lo = std::min(lo, abscissa.at(first));
+        hi = std::max(hi, abscissa.at(abscissa.count() - 1));
+    }
+    if (lo > hi)
+        return plot.log_x ? Interval{1.0, 10.0} : Interval{plot.x_first, plot.x_first + plot.x_stride};
     return {lo, hi > lo ? hi : lo + plot.x_stride};
+}
+
+double nearest_sample(const Plot& plot, std::span<const Series> series, double x) {
+    double best = 0.0;
+    double distance = DBL_MAX;
+    for (const Series& one : series) {
+        const Abscissa abscissa(plot, one);
+        if (abscissa.count() == 0) continue;
+        const double at = abscissa.at(abscissa.nearest(x));
+        if (std::abs(at - x) < distance) {
+            best = at;
+            distance = std::abs(at - x);
+        }
+    }
+    return best;
 }
 
 Interval fit_y(std::span<const std::vector<CurvePoint>> curves, bool log_y) {

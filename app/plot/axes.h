@@ -14,24 +14,30 @@
 
 namespace whorl::app {
 
-/// Where samples lie in x.
+/// Where the samples of a curve lie in x.
 class Abscissa {
   public:
-    explicit Abscissa(const Plot& plot) : plot_(plot) {}
+    Abscissa(const Plot& plot, const Series& series)
+        : x_(series.x.empty() ? plot.x : series.x),
+          first_(plot.x_first),
+          stride_(plot.x_stride),
+          count_(x_.empty() ? series.y.size() : std::min(series.y.size(), x_.size())) {}
 
     double at(std::size_t k) const {
-        return plot_.x.empty() ? plot_.x_first + static_cast<double>(k) * plot_.x_stride
-                               : static_cast<double>(plot_.x[k]);
+        return x_.empty() ? first_ + static_cast<double>(k) * stride_ : static_cast<double>(x_[k]);
     }
-    /// Number of samples of a curve that have an x.
-    std::size_t count(const Series& series) const {
-        return plot_.x.empty() ? series.y.size() : std::min(series.y.size(), plot_.x.size());
-    }
-    /// The sample of `n` (at least one) nearest to x.
-    std::size_t nearest(double x, std::size_t n) const;
+    /// Number of samples that have an x.
+    std::size_t count() const { return count_; }
+    /// Whether the curve reaches over x.
+    bool spans(double x) const { return count_ > 0 && x >= at(0) && x <= at(count_ - 1); }
+    /// The sample nearest to x. @pre count() > 0
+    std::size_t nearest(double x) const;
 
   private:
-    const Plot& plot_;
+    std::span<const float> x_;
+    double first_;
+    double stride_;
+    std::size_t count_;
 };
 
 /// A rectangle of pixels that shows an interval of x and one of y.
@@ -40,17 +46,22 @@ struct Frame {
     ImVec2 high;  ///< bottom right
     Interval x;
     Interval y;
+    bool log_x;
     bool log_y;
 
+    /// Not finite where a value has no place on the axis.
     float to_x(double value) const;
     float to_y(double value) const;
     double from_x(float pixel) const;
 };
 
-/// The interval of x that the longest curve spans, at least one stride.
+/// The interval of x that all curves span, at least one stride.
 Interval fit_x(const Plot& plot, std::span<const Series> series);
 
 /// A y interval around all points: from 0 if they come near it, some air above, never empty.
 Interval fit_y(std::span<const std::vector<CurvePoint>> curves, bool log_y);
+
+/// The x nearest to `x` at which a curve has a sample. @pre a curve has samples
+double nearest_sample(const Plot& plot, std::span<const Series> series, double x);
 
 }  // namespace whorl::app

@@ -1,4 +1,4 @@
-// The plot widget: curves over steps, with axes, legend and the values under the pointer.
+// The plot widget: curves over steps or anything else, with axes, legend and the values under the pointer.
 #pragma once
 
 #include <imgui.h>
@@ -16,7 +16,8 @@ struct Series {
     std::string_view label;
     ImU32 colour;
     std::span<const float> y;
-    bool dots = false;  ///< marks the samples too, where they lie apart
+    bool dots = false;              ///< marks the samples too, where they lie apart
+    std::span<const float> x = {};  ///< where they lie, ascending; empty takes the plot's
 };
 
 /// An interval of an axis.
@@ -29,10 +30,12 @@ struct Interval {
 struct Plot {
     std::string_view title;
     std::string_view unit = {};        ///< of y, behind the title
-    std::string_view x_name = "step";  ///< in the tooltip
+    std::string_view x_name = "step";  ///< at the end of the axis, and in the tooltip
+    std::string_view x_unit = {};      ///< behind the name at the axis
     double x_first = 0.0;
     double x_stride = 1.0;  ///< positive
     std::span<const float> x = {};
+    bool log_x = false;                    ///< samples at x not above 0 leave a gap; all others are drawn
     bool log_y = false;                    ///< values not above 0 leave a gap
     std::optional<Interval> y_range = {};  ///< fitted to the curves if empty
     std::optional<double> marker = {};     ///< hairline where another plot is hovered
@@ -41,8 +44,13 @@ struct Plot {
 };
 
 /// Draws a card at ImGui's cursor and advances it. A curve costs a pass over its samples (10 µs for 10,000)
-/// and draws at most two points a pixel column.
+/// and draws at most two points a pixel column. The legend wraps beside or below the title, and gives way
+/// where it would leave the curves no room. The tooltip lists the curves from top to bottom.
 /// @return x of the sample under the pointer, if any: pass it to the other plots as `marker`
 std::optional<double> draw_plot(const Theme& theme, const Plot& plot, std::span<const Series> series);
+
+/// Draws the same card, `plot.size` pixels large, anywhere: for pictures.
+void paint_plot(ImDrawList& list, const Theme& theme, const Plot& plot, std::span<const Series> series,
+                ImVec2 corner);
 
 }  // namespace whorl::app

@@ -48,15 +48,17 @@ Arrows::Arrows() : program_("arrow", shaders::arrow_vert, shaders::arrow_frag) {
     glVertexAttribDivisor(0, 1);
 }
 
-void Arrows::draw(const FaceVelocity& velocity, const FieldDraw& draw, const ArrowStyle& style) {
-    const float spacing = std::max(style.spacing * draw.scale, 4.0f);
-    const glm::vec2 size(draw.rect.width, draw.rect.height);
-    const glm::ivec2 count(glm::vec2(size.x / spacing, size.y / spacing));
-    const glm::vec2 cells(velocity.v.width(), velocity.u.height());
-    if (count.x < 1 || count.y < 1 || cells.x < 1 || cells.y < 1) return;
+float Arrows::spacing(const FieldDraw& draw, const ArrowStyle& style) {
+    return std::max(style.spacing * draw.scale, 4.0f);
+}
 
+float Arrows::collect(const FaceVelocity& velocity, const FieldDraw& draw, const ArrowStyle& style) {
     arrows_.clear();
+    const glm::vec2 size(draw.rect.width, draw.rect.height);
+    const glm::ivec2 count(size / spacing(draw, style));
+    const glm::vec2 cells(velocity.v.width(), velocity.u.height());
     float fastest = 0.0f;
+    if (count.x < 1 || count.y < 1 || cells.x < 1 || cells.y < 1) return fastest;
     for (int b = 0; b < count.y; ++b) {
         for (int a = 0; a < count.x; ++a) {
             const glm::vec2 part((static_cast<float>(a) + 0.5f) / static_cast<float>(count.x),
@@ -70,9 +72,18 @@ void Arrows::draw(const FaceVelocity& velocity, const FieldDraw& draw, const Arr
             arrows_.emplace_back(part * size, u);
         }
     }
+    return fastest;
+}
+
+float Arrows::fastest(const FaceVelocity& velocity, const FieldDraw& draw, const ArrowStyle& style) {
+    return collect(velocity, draw, style);
+}
+
+void Arrows::draw(const FaceVelocity& velocity, const FieldDraw& draw, const ArrowStyle& style) {
+    const float fastest = collect(velocity, draw, style);
     const float full = style.full_speed > 0.0f ? style.full_speed : fastest;
     if (full <= 0.0f) return;
-    const float longest = 0.9f * spacing;
+    const float longest = 0.9f * spacing(draw, style);
     for (glm::vec4& arrow : arrows_) {
         glm::vec2 extent = glm::vec2(arrow.z, arrow.w) * (longest / full);
         const float length = glm::length(extent);
@@ -84,12 +95,12 @@ void Arrows::draw(const FaceVelocity& velocity, const FieldDraw& draw, const Arr
     if (arrows_.empty()) return;
 
     const GlStateGuard guard;
-    glViewport(draw.rect.x, draw.framebuffer_height - draw.rect.y - draw.rect.height, draw.rect.width,
-               draw.rect.height);
+    enter(draw);
     glEnable(GL_BLEND);
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     program_.use();
-    glUniform2f(program_.uniform("size"), size.x, size.y);
+    glUniform2f(program_.uniform("size"), static_cast<float>(draw.rect.width),
+                static_cast<float>(draw.rect.height));
     glUniform1f(program_.uniform("scale"), draw.scale);
     glBindVertexArray(vertices_.name());
     glBindBuffer(GL_ARRAY_BUFFER, buffer_.name());

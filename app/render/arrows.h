@@ -29,12 +29,22 @@ class Arrows {
     /// Nothing is drawn for velocities too small to see and for those that are no number.
     void draw(const FaceVelocity& velocity, const FieldDraw& draw, const ArrowStyle& style = {});
 
+    /// The fastest speed that these arrows would show, length/time; 0 without any. Give the fastest of
+    /// several fields to all of them as `full_speed`, and their arrows compare.
+    float fastest(const FaceVelocity& velocity, const FieldDraw& draw, const ArrowStyle& style = {});
+
   private:
+    /// Between arrows, framebuffer pixels.
+    static float spacing(const FieldDraw& draw, const ArrowStyle& style);
+    /// Puts places and velocities into `arrows_`.
+    /// @return the fastest speed
+    float collect(const FaceVelocity& velocity, const FieldDraw& draw, const ArrowStyle& style);
+
     Program program_;
     GlVertexArray vertices_;
     GlBuffer buffer_;
-    std::vector<glm::vec4>
-        arrows_;  ///< tail and extent, framebuffer pixels from the rectangle's lower left corner
+    /// Tail and extent, framebuffer pixels from the rectangle's lower left corner.
+    std::vector<glm::vec4> arrows_;
 };
 
 }  // namespace whorl::app

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/plot/ticks.h"
+#include "app/render/text.h"
 
 namespace whorl::app {
 namespace {
@@ -18,10 +19,6 @@ ImU32 packed(glm::vec3 colour) {
     return ImGui::ColorConvertFloat4ToU32({colour.r, colour.g, colour.b, 1.0f});
 }
 
-ImVec2 text_size(const ImFont& font, const std::string& text) {
-    return font.CalcTextSizeA(font.FontSize, FLT_MAX, 0.0f, text.data(), text.data() + text.size());
-}
-
 /// Round numbers that have room for their labels.
 Ticks fitting_ticks(const Theme& theme, const ColourBar& bar, float width) {
     const double lo = std::min(bar.lo, bar.hi);
@@ -31,7 +28,7 @@ Ticks fitting_ticks(const Theme& theme, const ColourBar& bar, float width) {
         ticks = linear_ticks(lo, hi, target);
         float taken = 0.0f;
         for (const double value : ticks.values) {
-            taken = std::max(taken, text_size(*theme.small, tick_label(value, ticks)).x);
+            taken = std::max(taken, text_width(*theme.small, tick_label(value, ticks)));
         }
         const double spacing = ticks.step / (hi - lo) * static_cast<double>(width);
         if (ticks.values.size() <= 7 && static_cast<double>(taken + theme.px(14.0f)) <= spacing) break;
@@ -65,12 +62,13 @@ void draw_colour_bar(ImDrawList& list, const Theme& theme, const ColourBar& bar,
         list.AddRectFilledMultiColor({corner.x + width * left, y}, {corner.x + width * right, bottom}, from,
                                      to, to, from);
     }
-    list.AddRect({corner.x, y}, {corner.x + width, bottom}, theme.palette.border);
+    list.AddRect({corner.x, y}, {corner.x + width, bottom}, theme.palette.border, 0.0f, ImDrawFlags_None,
+                 theme.thin());
 
     const auto mark = [&](float part, const std::string& text) {
         const float x = std::floor(corner.x + part * (width - 1.0f)) + 0.5f;
-        list.AddLine({x, bottom}, {x, bottom + theme.px(tick_points)}, theme.palette.text_dim);
-        const float wide = text_size(font, text).x;
+        list.AddLine({x, bottom}, {x, bottom + theme.px(tick_points)}, theme.palette.text_dim, theme.thin());
+        const float wide = text_width(font, text);
         const float left = std::clamp(x - 0.5f * wide, corner.x, std::max(corner.x, corner.x + width - wide));
         list.AddText(&font, font.FontSize, {std::floor(left), bottom + theme.px(tick_points + 2.0f)},
                      theme.palette.text_dim, text.data(), text.data() + text.size());

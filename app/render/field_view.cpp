@@ -30,12 +30,27 @@ std::string with_defines(std::string_view source, std::string_view defines) {
            std::string(source.substr(second_line));
 }
 
+glm::ivec2 domain_of(int width, int height, Site site, glm::ivec2 given) {
+    if (given.x > 0 && given.y > 0) return given;
+    return {width - (site == Site::FaceX ? 1 : 0), height - (site == Site::FaceY ? 1 : 0)};
+}
+
 }  // namespace
 
-glm::ivec2 domain_of(const FieldTexture& field, const FieldDraw& draw) {
-    if (draw.cells.x > 0 && draw.cells.y > 0) return draw.cells;
-    return {field.width() - (field.site() == Site::FaceX ? 1 : 0),
-            field.height() - (field.site() == Site::FaceY ? 1 : 0)};
+glm::ivec2 domain_of(const Field& field, glm::ivec2 given) {
+    return domain_of(field.width(), field.height(), field.site(), given);
+}
+
+glm::ivec2 enter(const FieldDraw& draw) {
+    const auto bottom = [&](const PixelRect& r) { return draw.framebuffer_height - r.y - r.height; };
+    const glm::ivec2 corner(draw.rect.x, bottom(draw.rect));
+    glViewport(corner.x, corner.y, draw.rect.width, draw.rect.height);
+    if (draw.clip) {
+        glEnable(GL_SCISSOR_TEST);
+        glScissor(draw.clip->x, bottom(*draw.clip), std::max(0, draw.clip->width),
+                  std::max(0, draw.clip->height));
+    }
+    return corner;
 }
 
 FieldView::FieldView()
@@ -53,8 +68,8 @@ void FieldView::draw(const FieldTexture& field, const ColourMap& map, const Fiel
     map_.upload(map);
     const GlStateGuard guard;
 
-    const glm::vec2 cells(domain_of(field, draw));
-    const glm::vec2 corner(draw.rect.x, draw.framebuffer_height - draw.rect.y - draw.rect.height);
+    const glm::vec2 cells(domain_of(field.width(), field.height(), field.site(), draw.cells));
+    const glm::vec2 corner(enter(draw));
     const glm::vec2 rect_size(draw.rect.width, draw.rect.height);
     const glm::vec2 pixel_size = (draw.window.high - draw.window.low) * cells / rect_size;
     const float span = draw.hi - draw.lo;
@@ -63,7 +78,6 @@ void FieldView::draw(const FieldTexture& field, const ColourMap& map, const Fiel
     const Program& program =
         taps > 1 ? (draw.crisp ? crisp_averaged_ : smooth_averaged_) : (draw.crisp ? crisp_ : smooth_);
 
-    glViewport(static_cast<GLint>(corner.x), static_cast<GLint>(corner.y), draw.rect.width, draw.rect.height);
     program.use();
     glUniform1i(program.uniform("field"), 0);
     glUniform1i(program.uniform("map"), 1);

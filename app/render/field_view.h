@@ -3,10 +3,12 @@
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 
 #include "app/render/colour_map.h"
 #include "app/render/field_texture.h"
 #include "app/render/program.h"
+#include "app/render/view_window.h"
 
 namespace whorl::app {
 
@@ -18,13 +20,6 @@ struct PixelRect {
     int height = 0;
 };
 
-/// The part of the domain that is shown, as fractions of its sides from the lower left corner. Share one
-/// value between views to link their zoom.
-struct ViewWindow {
-    glm::vec2 low{0.0f, 0.0f};
-    glm::vec2 high{1.0f, 1.0f};
-};
-
 /// How and where a field is drawn.
 struct FieldDraw {
     PixelRect rect;
@@ -34,13 +29,20 @@ struct FieldDraw {
     float hi = 1.0f;             ///< value at the map's end
     bool crisp = false;          ///< squares of one value each; else bilinear between samples
     ViewWindow window{};
+    /// What lies outside stays as it is: two fields in one place, left and right of a line.
+    std::optional<PixelRect> clip = {};
     /// Size of the domain, cells. 0 takes the field's own shape, a box's last face not counted.
     glm::ivec2 cells{0, 0};
     glm::vec3 outside{0.05f, 0.06f, 0.075f};  ///< colour beyond the domain, sRGB
 };
 
-/// The size of the domain that a field of this shape covers, cells.
-glm::ivec2 domain_of(const FieldTexture& field, const FieldDraw& draw);
+/// The size of the domain that a field covers, cells: `given`, or where that is 0 the field's own shape, a
+/// box's last face not counted.
+glm::ivec2 domain_of(const Field& field, glm::ivec2 given = {0, 0});
+
+/// Sets viewport and clip to those of `draw`; call inside a GlStateGuard.
+/// @return the rectangle's lower left corner as OpenGL counts, framebuffer pixels from the bottom left
+glm::ivec2 enter(const FieldDraw& draw);
 
 /// Draws fields. Needs a current OpenGL context from construction to destruction.
 class FieldView {

@@ -7,24 +7,18 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "app/plot/plot.h"
 #include "app/render/arrows.h"
 #include "app/render/colour_bar.h"
 #include "app/render/framebuffer.h"
 #include "app/render/gl_state.h"
+#include "app/render/sheet_layout.h"
 #include "app/render/solids.h"
+#include "app/render/text.h"
 #include "app/render/theme.h"
 
 namespace whorl::app {
 namespace {
-
-/// Text of this size is made for a picture this wide.
-constexpr float reference_width = 900.0f;
-constexpr float narrowest_points = 320.0f;
-/// A tall domain is drawn narrower, so that the picture stays within this many times its width.
-constexpr float tallest = 1.25f;
-/// A row of cells is drawn this high.
-constexpr float strip_points = 72.0f;
-constexpr float margin_points = 24.0f;
 
 /// Makes an ImGui context the current one for a scope.
 class CurrentContext {
@@ -59,85 +53,70 @@ class FramebufferGuard {
     GLint read_ = 0;
 };
 
-/// Where everything goes, pixels.
-struct Layout {
-    int width;
-    int height;
-    float left;        ///< of text and colour bar
-    float text_width;  ///< of text and colour bar
-    PixelRect field;
-    float bar_y;
-    float title_y;
-    float caption_y;
-};
-
-/// Distance between the lines of a paragraph, as a part of the font's size.
-constexpr float line_height = 1.4f;
-
-/// Calls `line(begin, end)` for every line of the text, wrapped at `width` pixels.
-template <class Line>
-void for_each_line(const ImFont& font, const std::string& text, float width, Line&& line) {
-    const char* at = text.data();
-    const char* const end = at + text.size();
-    while (at < end) {
-        const char* const line_end = std::find(at, end, '\n');
-        const char* stop = font.CalcWordWrapPositionA(1.0f, at, line_end, width);
-        if (stop == at && stop < line_end) ++stop;  // not even a letter fits
-        line(at, stop);
-        at = stop;
-        while (at < line_end && *at == ' ') ++at;
-        if (at == line_end && at < end) ++at;
-    }
-}
-
-float height_of(const ImFont& font, const std::string& text, float width) {
-    float lines = 0.0f;
-    for_each_line(font, text, width, [&](const char*, const char*) { lines += 1.0f; });
-    return lines > 0.0f ? font.FontSize + (lines - 1.0f) * std::round(line_height * font.FontSize) : 0.0f;
-}
-
-Layout lay_out(const PictureRequest& request, glm::ivec2 cells, const Theme& theme, const ColourBar& bar) {
-    const glm::vec2 domain(cells);
-    const float aspect = domain.y / domain.x;
-    auto wide = static_cast<float>(request.width);
-    if (aspect > tallest) wide = wide * tallest / aspect;
-    if (request.crisp && wide >= 2.0f * domain.x) wide = std::floor(wide / domain.x) * domain.x;
-    wide = std::max(1.0f, std::round(wide));
-    const float high = cells.y == 1 ? theme.px(strip_points) : std::max(1.0f, std::round(wide * aspect));
-
-    Layout layout{};
-    layout.text_width = std::max(wide, theme.px(narrowest_points));
-    layout.left = theme.px(margin_points);
-    layout.width = static_cast<int>(layout.text_width + 2.0f * layout.left);
-    float y = layout.left;
-    layout.title_y = y;
-    if (!request.title.empty())
-        y += height_of(*theme.title, request.title, layout.text_width) + theme.px(14.0f);
-    layout.field = {static_cast<int>(layout.left + 0.5f * (layout.text_width - wide)), static_cast<int>(y),
-                    static_cast<int>(wide), static_cast<int>(high)};
-    y += high + theme.px(18.0f);
-    layout.bar_y = y;
-    y += colour_bar_height(theme, bar);
-    if (!request.caption.empty()) {
-        y += theme.px(16.0f);
-        layout.caption_y = y;
-        y += height_of(*theme.small, request.caption, layout.text_width);
-    }
-    layout.height = static_cast<int>(std::ceil(y + theme.px(margin_points - 4.0f)));
-    return layout;
-}
-
-void add_paragraph(ImDrawList& list, const ImFont& font, ImVec2 at, float width, ImU32 colour,
-                   const std::string& text) {
-    for_each_line(font, text, width, [&](const char* begin, const char* end) {
-        list.AddText(&font, font.FontSize, at, colour, begin, end);
-        at.y += std::round(line_height * font.FontSize);
-    });
-}
-
 glm::vec4 unpack(ImU32 colour) {
     const ImVec4 v = ImGui::ColorConvertU32ToFloat4(colour);
     return {v.x, v.y, v.z, v.w};
+}
+
+void draw_head(ImDrawList& list, const Theme& theme, const SheetCell& cell, const SheetLayout::Head& head) {
+    float indent = 0.0f;
+    if (cell.colour >= 0) {
+        const float side = swatch_side(theme);
+        const float y = head.title.y + std::round(0.5f * (theme.bold->FontSize - side));
+        list.AddRectFilled({head.title.x, y}, {head.title.x + side, y + side}, theme.lane(cell.colour),
+                           theme.px(2.0f));
+        indent = swatch_space(theme);
+    }
+    add_paragraph(list, *theme.bold, {head.title.x + indent, head.title.y}, head.width - indent,
+                  theme.palette.text, cell.title);
+    add_paragraph(list, *theme.small, {head.title.x, head.note_y}, head.width, theme.palette.text_dim,
+                  cell.note);
+}
+
+/// Why a lane stopped, at the bottom of its field.
+void draw_reason(ImDrawList& list, const Theme& theme, const std::string& reason, ImVec2 low, ImVec2 high) {
+    const ImFont& small = *theme.small;
+    const float pad = theme.px(7.0f);
+    const float width = high.x - low.x - 2.0f * pad;
+    const float top = std::max(low.y, high.y - paragraph_height(small, reason, width) - 2.0f * pad);
+    list.PushClipRect(low, high, true);
+    list.AddRectFilled({low.x, top}, high, faded(theme.palette.panel, 0.88f));
+    list.AddRectFilled({low.x, top}, {high.x, top + theme.px(1.0f)}, theme.palette.accent);
+    add_paragraph(list, small, {low.x + pad, top + pad}, width, theme.palette.text, reason);
+    list.PopClipRect();
+}
+
+/// All of a cell but its field.
+void draw_around(ImDrawList& list, const Theme& theme, const SheetLayout::Cell& place) {
+    const SheetCell& cell = *place.cell;
+    const ImVec2 low(static_cast<float>(place.field.x), static_cast<float>(place.field.y));
+    const ImVec2 high(low.x + static_cast<float>(place.field.width),
+                      low.y + static_cast<float>(place.field.height));
+    if (place.head) draw_head(list, theme, cell, *place.head);
+    if (cell.field == nullptr) list.AddRectFilled(low, high, theme.palette.card);
+    // Its inner edge on the field's.
+    const float out = 0.5f * (theme.thin() + 1.0f);
+    list.AddRect({low.x - out, low.y - out}, {high.x + out, high.y + out}, theme.palette.border, 0.0f,
+                 ImDrawFlags_None, theme.thin());
+    if (!cell.stopped.empty()) draw_reason(list, theme, cell.stopped, low, high);
+}
+
+void draw_plot_of(ImDrawList& list, const Theme& theme, const SheetLayout::PlotPlace& place) {
+    const SheetPlot& shown = *place.plot;
+    std::vector<Series> series;
+    for (const SheetCurve& curve : shown.curves) {
+        const ImU32 colour = curve.colour < 0 ? theme.palette.text_dim : theme.lane(curve.colour);
+        series.push_back({.label = curve.label, .colour = colour, .y = curve.y, .x = curve.x});
+    }
+    paint_plot(list, theme,
+               {.title = shown.title,
+                .unit = shown.unit,
+                .x_name = shown.x_name,
+                .x_unit = shown.x_unit,
+                .log_x = shown.log_x,
+                .log_y = shown.log_y,
+                .size = place.size},
+               series, place.corner);
 }
 
 }  // namespace
@@ -151,6 +130,41 @@ struct PictureRenderer::Parts {
     Arrows arrows;
     FieldTexture field;
     Solids solids;
+
+    FieldDraw how(const SheetRequest& request, const SheetLayout& layout,
+                  const SheetLayout::Cell& place) const {
+        FieldDraw draw;
+        draw.rect = place.field;
+        draw.framebuffer_height = layout.height;
+        draw.scale = theme.scale;
+        draw.lo = request.lo;
+        draw.hi = request.hi;
+        draw.crisp = request.crisp;
+        draw.cells = domain_of(*place.cell);
+        return draw;
+    }
+
+    void draw_fields(const SheetRequest& request, const SheetLayout& layout) {
+        // One length of arrows for all fields.
+        float fastest = 0.0f;
+        for (const SheetLayout::Cell& place : layout.cells) {
+            const SheetCell& cell = *place.cell;
+            if (cell.field == nullptr || cell.arrows == nullptr) continue;
+            fastest = std::max(
+                fastest, arrows.fastest(*cell.arrows, how(request, layout, place), {.solids = cell.solids}));
+        }
+        for (const SheetLayout::Cell& place : layout.cells) {
+            const SheetCell& cell = *place.cell;
+            if (cell.field == nullptr) continue;
+            const FieldDraw draw = how(request, layout, place);
+            field.upload(*cell.field);
+            solids.upload(cell.solids, draw.cells.x, draw.cells.y);
+            view.draw(field, *request.map, draw);
+            solids.draw(*request.map, draw);
+            if (cell.arrows == nullptr) continue;
+            arrows.draw(*cell.arrows, draw, {.full_speed = fastest, .solids = cell.solids});
+        }
+    }
 
     void load(float scale, bool wants_light) {
         if (loaded && theme.scale == scale && light == wants_light) return;
@@ -183,23 +197,14 @@ PictureRenderer::~PictureRenderer() {
     ImGui::SetCurrentContext(before);
 }
 
-Image PictureRenderer::render(const PictureRequest& request) {
-    if (request.field.width() < 1 || request.field.height() < 1 || request.width < 1) {
-        throw std::invalid_argument("a picture needs a field and a width");
-    }
+Image PictureRenderer::render(const SheetRequest& request) {
+    check(request);
     const CurrentContext current(parts_->imgui);
     const GlStateGuard state;
     const FramebufferGuard bound;
-    parts_->load(std::max(1.0f, static_cast<float>(request.width) / reference_width), request.light);
+    parts_->load(request.scale, request.light);
     const Theme& theme = parts_->theme;
-
-    parts_->field.upload(request.field);
-    FieldDraw draw;
-    draw.cells = request.cells;
-    draw.cells = domain_of(parts_->field, draw);
-    parts_->solids.upload(request.solids, draw.cells.x, draw.cells.y);
-    const ColourBar bar{request.map, request.lo, request.hi, request.label};
-    const Layout layout = lay_out(request, draw.cells, theme, bar);
+    const SheetLayout layout = lay_out(request, theme);
     const Framebuffer target(layout.width, layout.height);
 
     ImGui::GetIO().DisplaySize = {static_cast<float>(layout.width), static_cast<float>(layout.height)};
@@ -209,11 +214,14 @@ Image PictureRenderer::render(const PictureRequest& request) {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     add_paragraph(list, *theme.title, {layout.left, layout.title_y}, layout.text_width, theme.palette.text,
                   request.title);
-    const ImVec2 low(static_cast<float>(layout.field.x), static_cast<float>(layout.field.y));
-    const ImVec2 high(low.x + static_cast<float>(layout.field.width),
-                      low.y + static_cast<float>(layout.field.height));
-    list.AddRect({low.x - 1.0f, low.y - 1.0f}, {high.x + 1.0f, high.y + 1.0f}, theme.palette.border);
-    draw_colour_bar(list, theme, bar, {layout.left, layout.bar_y}, layout.text_width);
+    for (const SheetLayout::LabelLine& line : layout.labels) {
+        add_text(list, *theme.body, line.at, line.first ? theme.palette.text : theme.palette.text_dim,
+                 line.text);
+    }
+    for (const SheetLayout::Cell& place : layout.cells) draw_around(list, theme, place);
+    draw_colour_bar(list, theme, {*request.map, request.lo, request.hi, request.label}, layout.bar,
+                    layout.bar_width);
+    for (const SheetLayout::PlotPlace& place : layout.plots) draw_plot_of(list, theme, place);
     add_paragraph(list, *theme.small, {layout.left, layout.caption_y}, layout.text_width,
                   theme.palette.text_dim, request.caption);
     ImGui::Render();
@@ -222,20 +230,12 @@ Image PictureRenderer::render(const PictureRequest& request) {
     const glm::vec4 background = unpack(theme.palette.background);
     glClearColor(background.r, background.g, background.b, 1.0f);
     glClear(GL_COLOR_BUFFER_BIT);
-    draw.rect = layout.field;
-    draw.framebuffer_height = layout.height;
-    draw.scale = theme.scale;
-    draw.lo = request.lo;
-    draw.hi = request.hi;
-    draw.crisp = request.crisp;
-    parts_->view.draw(parts_->field, request.map, draw);
-    parts_->solids.draw(request.map, draw);
-    if (request.arrows != nullptr) parts_->arrows.draw(*request.arrows, draw, {.solids = request.solids});
+    parts_->draw_fields(request, layout);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     return target.read();
 }
 
-Image render_picture(const PictureRequest& request) {
+Image render_picture(const SheetRequest& request) {
     return PictureRenderer().render(request);
 }
 

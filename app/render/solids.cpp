@@ -118,10 +118,9 @@ void Solids::draw(const ColourMap& map, const FieldDraw& draw) {
     const Greys& greys = is_bright(map) ? on_bright : on_dark;
     const glm::vec2 cells(nx_, ny_);
     const glm::vec2 size(draw.rect.width, draw.rect.height);
-    const glm::ivec2 corner(draw.rect.x, draw.framebuffer_height - draw.rect.y - draw.rect.height);
 
     const GlStateGuard guard;
-    glViewport(corner.x, corner.y, draw.rect.width, draw.rect.height);
+    const glm::ivec2 corner = enter(draw);
     program_.use();
     set(program_.uniform("pixel_origin"), draw.window.low * cells);
     set(program_.uniform("pixel_size"), (draw.window.high - draw.window.low) * cells / size);

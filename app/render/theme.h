@@ -3,8 +3,10 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace whorl::app {
 
@@ -17,11 +19,12 @@ struct Palette {
     ImU32 border;      ///< one pixel around panels, cards and pictures
     ImU32 grid;        ///< lines behind a plot
     ImU32 text;
-    ImU32 text_dim;               ///< captions, axes, units
-    ImU32 accent;                 ///< what is active; used sparingly
-    ImU32 accent_text;            ///< on the accent
-    ImU32 hairline;               ///< under the pointer
-    std::array<ImU32, 6> series;  ///< plots' curves, in order; told apart by lightness too
+    ImU32 text_dim;     ///< captions, axes, units
+    ImU32 accent;       ///< what is active; used sparingly
+    ImU32 accent_text;  ///< on the accent
+    ImU32 hairline;     ///< under the pointer
+    /// Curves and lanes, in order: far apart for normal and for colour-blind eyes, legible on a card.
+    std::array<ImU32, 6> series;
 };
 
 Palette dark_palette();
@@ -39,8 +42,12 @@ struct Theme {
     ImFont* mono = nullptr;   ///< 12.5 points, figures that change
     Palette palette;
 
+    /// Colour of the lane with index k >= 0, the same hue on dark and on light.
+    ImU32 lane(int k) const { return palette.series[static_cast<std::size_t>(k) % palette.series.size()]; }
     /// Points to framebuffer pixels, whole ones.
     float px(float points) const { return std::round(points * scale); }
+    /// Width of a thin line, framebuffer pixels.
+    float thin() const { return std::max(1.0f, px(1.0f)); }
 };
 
 /// Replaces the fonts and the style of the current ImGui context. A font file that is not installed is

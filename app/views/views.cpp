@@ -99,6 +99,10 @@ std::string caption(const Snapshot& s) {
            " · t = " + figure(s.measures.time);
 }
 
+std::string bar_label(const View& view) {
+    return std::string(view.label) + "  " + std::string(view.unit);
+}
+
 Image picture_of(const Snapshot& snapshot, const PictureStyle& style, PictureRenderer& renderer) {
     Field scratch;
     const Field* field = style.view->field(snapshot, scratch);
@@ -109,20 +113,24 @@ Image picture_of(const Snapshot& snapshot, const PictureStyle& style, PictureRen
                          std::to_string(snapshot.measures.step) + " of " + snapshot.scene.experiment + known);
     }
     const Range range = style.range ? *style.range : style.view->automatic_range(snapshot, *field);
-    const ColourMap* map = style.map ? style.map : find_colour_map(style.view->map);
-    return renderer.render({.field = *field,
-                            .map = *map,
-                            .lo = range.lo,
-                            .hi = range.hi,
-                            .solids = snapshot.solids,
-                            .arrows = style.arrows ? &snapshot.velocity : nullptr,
-                            .cells = {snapshot.grid.nx, snapshot.grid.ny},
-                            .crisp = style.crisp,
-                            .title = snapshot.scene.title,
-                            .label = std::string(style.view->label) + "  " + std::string(style.view->unit),
-                            .caption = caption(snapshot),
-                            .width = style.width,
-                            .light = style.light});
+    SheetRequest sheet;
+    SheetCell& cell = sheet.rows.emplace_back().cells.emplace_back();
+    cell.field = field;
+    cell.solids = snapshot.solids;
+    cell.arrows = style.arrows ? &snapshot.velocity : nullptr;
+    cell.cells = {snapshot.grid.nx, snapshot.grid.ny};
+    sheet.map = style.map ? style.map : find_colour_map(style.view->map);
+    sheet.lo = range.lo;
+    sheet.hi = range.hi;
+    sheet.title = snapshot.scene.title;
+    sheet.label = bar_label(*style.view);
+    sheet.caption = caption(snapshot);
+    sheet.crisp = style.crisp;
+    sheet.light = style.light;
+    sheet.scale =
+        std::clamp(static_cast<float>(style.width) / SheetRequest{}.cell_width, 1.0f, largest_sheet_scale);
+    sheet.cell_width = static_cast<float>(style.width) / sheet.scale;
+    return renderer.render(sheet);
 }
 
 }  // namespace whorl::app

@@ -43,6 +43,9 @@ std::string describe(const SchemeSet& schemes);
 /// The caption of a picture: schemes, resolution, Δt, step and time.
 std::string caption(const Snapshot& snapshot);
 
+/// What stands at the colour bar of a picture: the quantity and its unit.
+std::string bar_label(const View& view);
+
 /// How to draw a picture of a snapshot.
 struct PictureStyle {
     const View* view = nullptr;

@@ -14,7 +14,8 @@ TEST(ImGuiFrame, APictureBetweenTwoFramesDisturbsNeither) {
     for (int k = 0; k < 2; ++k) ui.frame(draw);
     const Image before = ui.picture();
     const Field field(4, 4, Site::Centre, Real(0.5));
-    EXPECT_GT(render_picture({.field = field, .map = colour_maps().front(), .width = 100}).width, 0);
+    EXPECT_GT(render_picture({.rows = {{.cells = {{.field = &field}}}}, .map = &colour_maps().front()}).width,
+              0);
     ui.frame(draw);
     EXPECT_EQ(ui.picture(), before);
 }

@@ -2,11 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstring>
+#include <optional>
 
 #include "app/render/arrows.h"
 #include "app/render/framebuffer.h"
-#include "app/render/picture.h"
 #include "app/render/solids.h"
 #include "app/window/egl_context.h"
 
@@ -189,39 +188,132 @@ TEST_F(Render, ArrowsPointWhereTheVelocityPoints) {
     EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
-TEST_F(Render, ThePictureIsTheSameBytesTwice) {
-    const Field field = ramp();
-    const FaceVelocity velocity{Field(5, 4, Site::FaceX, Real(1)), Field(4, 5, Site::FaceY, Real(1))};
-    PictureRequest request{.field = field,
-                           .map = *find_colour_map("magma"),
-                           .arrows = &velocity,
-                           .title = "Smoke density",
-                           .label = "ρ",
-                           .caption = "step 10 · t = 0.5 s",
-                           .width = 300};
-    const Image first = render_picture(request);
-    EXPECT_EQ(first, render_picture(request));
-    PictureRenderer renderer;
-    EXPECT_EQ(first, renderer.render(request));
-    request.light = true;
-    EXPECT_NE(first, renderer.render(request));
-    request.light = false;
-    EXPECT_EQ(first, renderer.render(request)) << "no state is left of another picture";
+/// 16 × 16 with a value of its own in every cell.
+Field checks() {
+    Field field(16, 16, Site::Centre);
+    for (int j = 0; j < 16; ++j) {
+        for (int i = 0; i < 16; ++i) field(i, j) = static_cast<Real>((i * 7 + j * 13) % 17) / Real(16);
+    }
+    return field;
 }
 
-TEST_F(Render, APictureOfAnyShapeCanBeDrawn) {
-    for (const auto& [nx, ny] : {std::pair{1, 1}, {256, 1}, {3, 200}, {200, 3}}) {
-        const Field field(nx, ny, Site::Centre, Real(0.5));
-        PictureRequest request{.field = field, .map = colour_maps().front()};
-        request.lo = request.hi = 0.5f;
-        request.width = 400;
-        request.caption = std::string(3000, 'm');
-        const Image image = render_picture(request);
-        EXPECT_GT(image.height, 100);
-        EXPECT_LT(image.width, 600);
+TEST_F(Render, AWindowIsTheWholeSeenCloser) {
+    const Field field = checks();
+    for (const bool crisp : {false, true}) {
+        FieldDraw how;
+        how.crisp = crisp;
+        const Image whole = draw(field, 320, how);
+        how.window = {{0.25f, 0.5f}, {0.5f, 0.75f}};
+        const Image part = draw(field, 80, how);
+        for (int y = 0; y < 80; ++y) {
+            for (int x = 0; x < 80; ++x) {
+                ASSERT_NEAR(pixel(part, x, y).r, pixel(whole, 80 + x, 80 + y).r, tolerance)
+                    << x << ", " << y << (crisp ? " crisp" : " smooth");
+            }
+        }
     }
-    const Field none;
-    EXPECT_THROW(render_picture({.field = none, .map = colour_maps().front()}), std::invalid_argument);
+}
+
+TEST_F(Render, SolidsCoverTheirCellsInEveryWindow) {
+    std::vector<std::uint8_t> mask(256, 0);
+    Field cells(16, 16, Site::Centre, Real(0));
+    for (const auto& [i, j] : {std::pair{5, 9}, {6, 9}, {6, 10}, {4, 12}, {0, 0}, {15, 15}}) {
+        mask[static_cast<std::size_t>(16 * j + i)] = 1;
+        cells(i, j) = 1;
+    }
+    ViewWindow window;
+    for (const float factor : {1.0f, 1.37f, 1.2f, 1.1f, 1.05f}) {
+        window = zoomed(window, {0.31f, 0.62f}, factor, {16, 16});
+        FieldDraw how;
+        how.crisp = true;
+        how.window = window;
+        const Image black = draw(cells, 101, how);
+        const Image grey = draw(Field(16, 16, Site::Centre, Real(0)), 101, how, mask);
+        for (int y = 0; y < 101; ++y) {
+            for (int x = 0; x < 101; ++x) {
+                ASSERT_EQ(pixel(black, x, y).r < 128, pixel(grey, x, y).r < 250) << x << ", " << y;
+            }
+        }
+    }
+}
+
+TEST_F(Render, ArrowsShowTheWindowsVelocity) {
+    // Still but for the upper right quarter.
+    FaceVelocity velocity{Field(17, 16, Site::FaceX), Field(16, 17, Site::FaceY)};
+    for (int j = 8; j < 17; ++j) {
+        for (int i = 8; i < 16; ++i) velocity.v(i, j) = 1;
+    }
+    Framebuffer target(80, 80);
+    target.bind();
+    glClearColor(0, 0, 0, 1);
+    Arrows arrows;
+    const auto bright = [&](ViewWindow window, std::optional<PixelRect> clip, PixelRect counted) {
+        FieldDraw how;
+        how.rect = {0, 0, 80, 80};
+        how.framebuffer_height = 80;
+        how.window = window;
+        how.clip = clip;
+        glClear(GL_COLOR_BUFFER_BIT);
+        arrows.draw(velocity, how, {.spacing = 20});
+        const Image image = target.read();
+        int count = 0;
+        for (int y = counted.y; y < counted.y + counted.height; ++y) {
+            for (int x = counted.x; x < counted.x + counted.width; ++x) count += pixel(image, x, y).r > 100;
+        }
+        return count;
+    };
+    const PixelRect all{0, 0, 80, 80}, left{0, 0, 40, 80}, right{40, 0, 40, 80};
+    EXPECT_EQ(bright({{0.0f, 0.0f}, {0.45f, 0.45f}}, {}, all), 0);
+    EXPECT_GT(bright({{0.55f, 0.55f}, {1.0f, 1.0f}}, {}, left), 0);
+    EXPECT_GT(bright({{0.55f, 0.55f}, {1.0f, 1.0f}}, {}, right), 0);
+    EXPECT_EQ(bright({}, {}, left), 0);
+    EXPECT_GT(bright({}, {}, right), 0);
+    EXPECT_EQ(bright({{0.55f, 0.55f}, {1.0f, 1.0f}}, left, right), 0) << "clipped";
+    EXPECT_GT(bright({{0.55f, 0.55f}, {1.0f, 1.0f}}, left, left), 0);
+    EXPECT_FLOAT_EQ(arrows.fastest(velocity, {.rect = all, .framebuffer_height = 80}), 1.0f);
+    EXPECT_FLOAT_EQ(arrows.fastest(velocity, {.rect = all, .window = {{0.0f, 0.0f}, {0.4f, 0.4f}}}), 0.0f);
+}
+
+TEST_F(Render, TwoFieldsShareAPlaceLeftAndRightOfALine) {
+    const std::vector<std::uint8_t> rock(256, 1);
+    const Field field = checks();
+    FieldDraw how;
+    how.crisp = true;
+    how.window = {{0.1f, 0.2f}, {0.7f, 0.8f}};
+    const Image smoke = draw(field, 64, how);
+    const Image wall = draw(field, 64, how, rock);
+    Framebuffer target(64, 64);
+    target.bind();
+    FieldTexture texture;
+    texture.upload(field);
+    Solids solids;
+    solids.upload(rock, 16, 16);
+    FieldView view;
+    how.rect = {0, 0, 64, 64};
+    how.framebuffer_height = 64;
+    const ColourMap& map = *find_colour_map("white-black");
+    glScissor(1, 2, 3, 4);
+    for (const int line : {0, 23, 64}) {
+        how.clip = PixelRect{0, 0, line, 64};
+        view.draw(texture, map, how);
+        how.clip = PixelRect{line, 0, 64 - line, 64};
+        view.draw(texture, map, how);
+        solids.draw(map, how);
+        const Image image = target.read();
+        for (int y = 0; y < 64; ++y) {
+            for (int x = 0; x < 64; ++x) {
+                ASSERT_EQ(pixel(image, x, y).r, pixel(x < line ? smoke : wall, x, y).r) << x << ", " << y;
+            }
+        }
+    }
+    how.clip = PixelRect{10, 10, -5, 64};
+    view.draw(texture, map, how);
+    GLint box[4];
+    glGetIntegerv(GL_SCISSOR_BOX, box);
+    EXPECT_EQ(box[0] + 10 * box[1] + 100 * box[2] + 1000 * box[3], 4321)
+        << "the next one's clip is left alone";
+    EXPECT_EQ(glIsEnabled(GL_SCISSOR_TEST), GL_FALSE);
+    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
 }  // namespace

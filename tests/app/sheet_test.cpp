@@ -1,0 +1,341 @@
+// Sheets: where things go, what they share, and what is refused.
+#include "app/render/sheet.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "app/render/picture.h"
+#include "app/render/sheet_layout.h"
+#include "tests/support/headless_ui.h"
+
+namespace whorl::app {
+namespace {
+
+/// Rounding to 8 bits twice, in 1/255.
+constexpr int tolerance = 1;
+
+SheetRequest request_of(std::vector<SheetRow> rows) {
+    SheetRequest request;
+    request.rows = std::move(rows);
+    request.map = find_colour_map("white-black");
+    request.cell_width = 200;
+    return request;
+}
+
+SheetCell lane(const Field& field, int k) {
+    SheetCell cell;
+    cell.field = &field;
+    cell.title = "lane " + std::to_string(k);
+    cell.note = "what differs";
+    cell.colour = k;
+    return cell;
+}
+
+struct Rgb {
+    int r, g, b;
+    bool operator==(const Rgb&) const = default;
+};
+Rgb pixel(const Image& image, int x, int y) {
+    const std::uint8_t* p = image.rgba.data() + 4 * (static_cast<std::size_t>(y) * image.width + x);
+    return {p[0], p[1], p[2]};
+}
+Rgb rgb(ImU32 colour) {
+    const auto part = [&](int shift) { return static_cast<int>((colour >> shift) & 0xff); };
+    return {part(IM_COL32_R_SHIFT), part(IM_COL32_G_SHIFT), part(IM_COL32_B_SHIFT)};
+}
+bool contains(const Image& image, Rgb colour) {
+    for (int y = 0; y < image.height; ++y) {
+        for (int x = 0; x < image.width; ++x) {
+            if (pixel(image, x, y) == colour) return true;
+        }
+    }
+    return false;
+}
+
+TEST(Sheet, ArrangesLanesByTheirNumberAndShape) {
+    const int square[] = {1, 2, 3, 2, 3, 3};
+    for (int n = 1; n <= 6; ++n) {
+        EXPECT_EQ(columns_for(n, {128, 128}), square[n - 1]) << n;
+        EXPECT_EQ(columns_for(n, {32, 128}), n) << "tall ones stand in a row";
+    }
+    EXPECT_EQ(columns_for(2, {128, 32}), 1) << "wide ones lie on each other";
+    EXPECT_EQ(columns_for(4, {128, 32}), 1);
+
+    const Field field(8, 8, Site::Centre);
+    std::vector<SheetCell> cells;
+    for (int k = 0; k < 5; ++k) cells.push_back(lane(field, k));
+    const std::vector<SheetRow> rows = arranged(cells);
+    ASSERT_EQ(rows.size(), 2u);
+    EXPECT_EQ(rows[0].cells.size(), 3u);
+    ASSERT_EQ(rows[1].cells.size(), 2u);
+    EXPECT_EQ(rows[1].cells[1].title, "lane 4");
+    EXPECT_TRUE(arranged({}).empty());
+}
+
+class Layouts : public ::testing::Test {
+  protected:
+    HeadlessUi ui_{64, 64, 1.0f};
+};
+
+void expect_disjoint(const SheetLayout& layout) {
+    for (std::size_t a = 0; a < layout.cells.size(); ++a) {
+        const PixelRect& p = layout.cells[a].field;
+        EXPECT_GE(p.x, static_cast<int>(layout.left));
+        EXPECT_LE(p.x + p.width, layout.width - static_cast<int>(layout.left));
+        EXPECT_LT(static_cast<float>(p.y + p.height), layout.bar.y);
+        for (std::size_t b = 0; b < a; ++b) {
+            const PixelRect& q = layout.cells[b].field;
+            EXPECT_TRUE(q.x + q.width < p.x || p.x + p.width < q.x || q.y + q.height < p.y ||
+                        p.y + p.height < q.y);
+        }
+        if (const auto& head = layout.cells[a].head) {
+            EXPECT_LT(head->title.y, head->note_y);
+            EXPECT_LT(head->note_y, static_cast<float>(p.y));
+        }
+    }
+    for (const auto& place : layout.plots) {
+        EXPECT_GT(place.corner.y, layout.bar.y);
+        EXPECT_LE(place.corner.x + place.size.x, static_cast<float>(layout.width) - layout.left + 1.0f);
+        EXPECT_LT(place.corner.y + place.size.y, static_cast<float>(layout.height));
+    }
+}
+
+TEST_F(Layouts, KeepTheDomainsShapeAndOverlapNowhere) {
+    for (const auto& [nx, ny] : {std::pair{64, 64}, {128, 32}, {32, 128}, {48, 32}, {33, 100}}) {
+        const Field field(nx, ny, Site::Centre);
+        for (int n = 1; n <= 6; ++n) {
+            std::vector<SheetCell> cells;
+            for (int k = 0; k < n; ++k) cells.push_back(lane(field, k));
+            SheetRequest request = request_of(arranged(cells));
+            request.plots.resize(static_cast<std::size_t>(n));
+            for (const bool crisp : {false, true}) {
+                request.crisp = crisp;
+                const SheetLayout layout = lay_out(request, ui_.theme);
+                ASSERT_EQ(layout.cells.size(), static_cast<std::size_t>(n));
+                ASSERT_EQ(layout.plots.size(), static_cast<std::size_t>(n));
+                expect_disjoint(layout);
+                const PixelRect& field_rect = layout.cells.front().field;
+                const double slope = static_cast<double>(ny) / nx;
+                const double rounding = 0.5 + 0.5 * slope;  // of either side to whole pixels
+                EXPECT_NEAR(field_rect.height, field_rect.width * slope, rounding);
+                EXPECT_LE(field_rect.height, 250 + rounding) << "a tall one is no giant";
+                if (crisp && field_rect.width >= 2 * nx) {
+                    EXPECT_EQ(field_rect.width % nx, 0);
+                    EXPECT_EQ(field_rect.height % ny, 0);
+                }
+            }
+        }
+    }
+}
+
+TEST_F(Layouts, DrawAllResolutionsInOneSizeOfWholeSquares) {
+    const Field coarse(40, 40, Site::Centre), fine(80, 80, Site::Centre), middle(60, 60, Site::Centre);
+    SheetRequest request = request_of({{"", {lane(coarse, 0), lane(fine, 1)}}});
+    request.crisp = true;
+    SheetLayout layout = lay_out(request, ui_.theme);
+    EXPECT_EQ(layout.cells[0].field.width, 160);
+    EXPECT_EQ(layout.cells[1].field.width, 160);
+    request.cell_width = 500;
+    request.rows[0].cells.push_back(lane(middle, 2));
+    layout = lay_out(request, ui_.theme);
+    EXPECT_EQ(layout.cells[2].field.width, 480);
+}
+
+TEST_F(Layouts, NameALaneOnceInAColumn) {
+    const Field field(8, 8, Site::Centre);
+    std::vector<SheetRow> rows;
+    for (int step = 0; step < 3; ++step) {
+        rows.push_back({"step 240 · t = 4.00", {lane(field, 0), lane(field, 1)}});
+    }
+    SheetRequest request = request_of(rows);
+    SheetLayout layout = lay_out(request, ui_.theme);
+    for (std::size_t k = 0; k < 6; ++k) EXPECT_EQ(layout.cells[k].head.has_value(), k < 2) << k;
+    ASSERT_EQ(layout.labels.size(), 6u);
+    EXPECT_EQ(layout.labels[2].text, "step 240");
+    EXPECT_EQ(layout.labels[3].text, "t = 4.00");
+    EXPECT_TRUE(layout.labels[2].first);
+    const PixelRect& second = layout.cells[2].field;
+    EXPECT_GT(layout.labels[2].at.y, static_cast<float>(second.y));
+    EXPECT_LT(layout.labels[3].at.y, static_cast<float>(second.y + second.height));
+    EXPECT_LT(layout.labels[2].at.x + 40, static_cast<float>(second.x)) << "left of the fields";
+    EXPECT_EQ(layout.bar.x, static_cast<float>(second.x));
+
+    request.rows[2].cells[1].title = "another lane";
+    layout = lay_out(request, ui_.theme);
+    EXPECT_TRUE(layout.cells[5].head.has_value());
+    EXPECT_FALSE(layout.cells[4].head.has_value());
+}
+
+class Sheets : public ::testing::Test {
+  protected:
+    EglContext context_;
+    PictureRenderer renderer_;
+};
+
+TEST_F(Sheets, AreTheSameBytesTwice) {
+    Field field(4, 4, Site::Centre);
+    for (int j = 0; j < 4; ++j) {
+        for (int i = 0; i < 4; ++i) field(i, j) = static_cast<Real>(0.2 * i + 0.1 * j);
+    }
+    const FaceVelocity velocity{Field(5, 4, Site::FaceX, Real(1)), Field(4, 5, Site::FaceY, Real(1))};
+    SheetRequest request = request_of(arranged({lane(field, 0), lane(field, 1), lane(field, 2)}));
+    request.title = "A plume";
+    request.label = "ρ";
+    request.caption = "step 10 · t = 0.5";
+    request.rows[0].cells[1].arrows = &velocity;
+    request.rows[0].cells[2].stopped = "stopped at step 9";
+    request.plots = {{.title = "Energy", .curves = {{"lane 0", 0, {0, 1, 2}, {3, 5, 4}}}}};
+    const Image first = render_picture(request);
+    EXPECT_EQ(first, render_picture(request));
+    EXPECT_EQ(first, renderer_.render(request));
+    request.light = true;
+    const Image light = renderer_.render(request);
+    EXPECT_NE(first, light);
+    request.light = false;
+    request.scale = 2;
+    const Image twice = renderer_.render(request);
+    EXPECT_EQ(twice.width, 2 * first.width);
+    // Every line of text rounds its height.
+    EXPECT_NEAR(twice.height, 2 * first.height, 12);
+    request.scale = 1;
+    EXPECT_EQ(first, renderer_.render(request)) << "no state is left of another picture";
+}
+
+TEST_F(Sheets, ShareOneRangeAcrossResolutions) {
+    Field coarse(4, 4, Site::Centre), fine(8, 8, Site::Centre);
+    for (int j = 0; j < 8; ++j) {
+        for (int i = 0; i < 8; ++i)
+            fine(i, j) = coarse(i / 2, j / 2) = static_cast<Real>(i / 2 + 4 * (j / 2));
+    }
+    SheetRequest request = request_of({{"", {{.field = &coarse}, {.field = &fine}}}});
+    request.crisp = true;
+    request.lo = -1;
+    request.hi = 17;
+    const Image image = renderer_.render(request);
+    // Fields begin at the margin of 24 and are 200 wide, 12 apart.
+    for (const int x : {3, 60, 120, 190}) {
+        for (const int y : {3, 60, 120, 190}) {
+            const Rgb left = pixel(image, 24 + x, 24 + y);
+            EXPECT_EQ(left, pixel(image, 24 + 200 + 12 + x, 24 + y)) << x << ", " << y;
+            const float value = static_cast<float>(x / 50) + 4.0f * static_cast<float>(3 - y / 50);
+            EXPECT_NEAR(left.r, static_cast<int>(std::lround(255.0f * (1.0f - (value + 1.0f) / 18.0f))),
+                        tolerance);
+        }
+    }
+}
+
+TEST_F(Sheets, ShowWhichLaneACellIs) {
+    const Field field(8, 8, Site::Centre, Real(0));
+    SheetRequest request = request_of({{"", {lane(field, 0), lane(field, 4)}}});
+    request.plots = {{.title = "Energy", .curves = {{"lane 2", 2, {0, 1}, {1, 1}}}}};
+    for (const bool light : {false, true}) {
+        request.light = light;
+        const Theme theme{.palette = light ? light_palette() : dark_palette()};
+        const Image image = renderer_.render(request);
+        EXPECT_TRUE(contains(image, rgb(theme.lane(0))));
+        EXPECT_TRUE(contains(image, rgb(theme.lane(2)))) << "a curve in its lane's colour";
+        EXPECT_TRUE(contains(image, rgb(theme.lane(4))));
+        EXPECT_FALSE(contains(image, rgb(theme.lane(3))));
+    }
+}
+
+TEST_F(Sheets, SayOverTheFieldWhyALaneStopped) {
+    const Field field(8, 8, Site::Centre, Real(0));
+    SheetRequest request = request_of({{"", {{.field = &field}}}});
+    const Image running = renderer_.render(request);
+    request.rows[0].cells[0].stopped = "stopped at step 312: the density at cell (17, 23) is not finite";
+    const Image stopped = renderer_.render(request);
+    ASSERT_EQ(stopped.height, running.height);
+    int changed = 0;
+    for (int y = 0; y < stopped.height; ++y) {
+        for (int x = 0; x < stopped.width; ++x) {
+            if (pixel(stopped, x, y) == pixel(running, x, y)) continue;
+            ++changed;
+            // The field is 200 wide in the middle of what is 320 wide, below the margin of 24.
+            ASSERT_TRUE(x >= 84 && x < 284 && y > 24 + 100 && y < 24 + 200) << x << ", " << y;
+        }
+    }
+    EXPECT_GT(changed, 200 * 2 * 12) << "two lines";
+}
+
+TEST_F(Sheets, LeaveAPlaceWithoutAField) {
+    const Field field(8, 8, Site::Centre, Real(0));
+    SheetRequest request = request_of({{"step 1", {lane(field, 0), lane(field, 1)}}});
+    const Image whole = renderer_.render(request);
+    request.rows[0].cells[1].field = nullptr;
+    const Image gap = renderer_.render(request);
+    request.rows[0].cells[1].stopped = "stopped at step 0: no number in the density at (3, 4)";
+    const Image reason = renderer_.render(request);
+    EXPECT_EQ(gap.width, whole.width);
+    EXPECT_EQ(gap.height, whole.height);
+    EXPECT_EQ(reason.height, whole.height);
+    EXPECT_NE(gap, whole);
+    EXPECT_NE(reason, gap);
+}
+
+TEST_F(Sheets, AreDrawnInAnyShape) {
+    for (const auto& [nx, ny] : {std::pair{1, 1}, {256, 1}, {3, 200}, {200, 3}}) {
+        const Field field(nx, ny, Site::Centre, Real(0.5));
+        SheetRequest request = request_of({{"", {{.field = &field}}}});
+        request.lo = request.hi = 0.5f;
+        request.cell_width = 400;
+        request.caption = std::string(3000, 'm');
+        const Image image = renderer_.render(request);
+        EXPECT_GT(image.height, 100);
+        EXPECT_LT(image.width, 600);
+    }
+}
+
+TEST_F(Sheets, AreDrawnLargeForPrint) {
+    const Field field(64, 64, Site::Centre, Real(0.5));
+    std::vector<SheetRow> rows;
+    for (int step = 0; step < 5; ++step) {
+        SheetRow& row = rows.emplace_back(SheetRow{"step " + std::to_string(step), {}});
+        for (int k = 0; k < 5; ++k) row.cells.push_back(lane(field, k));
+    }
+    SheetRequest sheet = request_of(rows);
+    sheet.scale = 2;
+    EXPECT_GT(renderer_.render(sheet).height, 2000);
+    std::vector<SheetCell> cells;
+    for (int k = 0; k < 6; ++k) cells.push_back(lane(field, k));
+    SheetRequest comparison = request_of(arranged(cells));
+    comparison.scale = 4;
+    comparison.plots.resize(3);
+    EXPECT_GT(renderer_.render(comparison).width, 2400);
+}
+
+TEST_F(Sheets, RefuseWhatCannotBeDrawn) {
+    const Field field(8, 8, Site::Centre), none;
+    const SheetRequest good = request_of({{"", {lane(field, 0), lane(field, 1), lane(field, 2)}}});
+    const auto refusal = [&](auto&& change) -> std::string {
+        SheetRequest request = good;
+        change(request);
+        try {
+            renderer_.render(request);
+        } catch (const std::exception& error) {
+            return error.what();
+        }
+        return "";
+    };
+    EXPECT_EQ(refusal([](SheetRequest&) {}), "");
+    const std::string large = refusal([](SheetRequest& r) { r.cell_width = 16000; });
+    EXPECT_NE(large.find("the limit is"), std::string::npos) << large;
+    EXPECT_EQ(large.find('\n'), std::string::npos);
+    const std::string long_text = refusal([](SheetRequest& r) { r.caption = std::string(2'000'000, 'm'); });
+    EXPECT_NE(long_text.find("the limit is"), std::string::npos) << long_text;
+    for (const float wrong : {0.0f, -1.0f, NAN, INFINITY, 1e30f}) {
+        EXPECT_NE(refusal([&](SheetRequest& r) { r.scale = wrong; }), "") << wrong;
+        EXPECT_NE(refusal([&](SheetRequest& r) { r.cell_width = wrong; }), "") << wrong;
+    }
+    EXPECT_NE(refusal([](SheetRequest& r) { r.rows.clear(); }), "");
+    EXPECT_NE(refusal([](SheetRequest& r) { r.map = nullptr; }), "");
+    EXPECT_NE(refusal([&](SheetRequest& r) { r.rows[0].cells[1].field = &none; }), "");
+    const std::vector<std::uint8_t> mask(63);
+    EXPECT_NE(refusal([&](SheetRequest& r) { r.rows[0].cells[1].solids = mask; }), "");
+    EXPECT_EQ(refusal([](SheetRequest&) {}), "") << "a refusal leaves nothing behind";
+}
+
+}  // namespace
+}  // namespace whorl::app
