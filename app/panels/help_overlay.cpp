@@ -20,10 +20,21 @@ constexpr Row mouse[] = {
     {"Wheel", "radius of the brush"},
     {"Rest on a control", "what it does, and where it comes from"},
     {"Ctrl+click a slider", "type a value"},
+    {"Drop a file", "open a scene, a run or a picture of Whorl"},
 };
 constexpr Row keys[] = {
-    {"Space", "play, pause"},  {".", "one step"},  {"R", "reset"},        {"1 – 9", "presets"},
-    {"F12", "picture as PNG"}, {"H", "this help"}, {"Esc", "close this"}, {"Q, Ctrl+Q", "quit"},
+    {"Space", "play, pause"},
+    {".", "one step"},
+    {"R", "reset"},
+    {"← →", "a step back, a step on"},
+    {"Home, End", "the run's first and last step"},
+    {"1 – 9", "presets"},
+    {"Ctrl+O", "open a scene, a run or a picture"},
+    {"Ctrl+S", "save the run"},
+    {"F12", "picture as PNG, which carries the run"},
+    {"H", "this help"},
+    {"Esc", "close this"},
+    {"Q, Ctrl+Q", "quit"},
 };
 
 void rows(const Theme& theme, const char* title, std::span<const Row> table) {

@@ -3,9 +3,11 @@
 
 #include <span>
 
+#include "app/panels/file_desk.h"
 #include "app/panels/frame_log.h"
 #include "app/panels/history.h"
 #include "app/panels/hover_help.h"
+#include "app/panels/measure_view.h"
 #include "app/panels/remote.h"
 #include "app/panels/slabs.h"
 #include "app/panels/view_state.h"
@@ -19,6 +21,8 @@ struct PanelContext {
     const Theme& theme;
     Remote& remote;  ///< the run: its newest snapshot, the scene as chosen, and what to ask of it
     ViewState& view;
+    MeasureView& measures;
+    FileDesk& files;
     const History& history;
     const FrameLog& frames;
     const Field* field;  ///< what the chosen view shows of the snapshot
@@ -45,6 +49,7 @@ void draw_run_panel(PanelContext&);
 void draw_schemes_panel(PanelContext&);
 void draw_particles_panel(PanelContext&);
 void draw_view_panel(PanelContext&);
+void draw_picture_panel(PanelContext&);
 void draw_forces_panel(PanelContext&);
 void draw_brush_panel(PanelContext&);
 void draw_time_panel(PanelContext&);

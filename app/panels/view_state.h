@@ -2,7 +2,6 @@
 #pragma once
 
 #include <map>
-#include <optional>
 
 #include "app/panels/colour_range.h"
 #include "app/render/colour_map.h"
@@ -23,7 +22,6 @@ struct ViewState {
     bool arrows = false;                           ///< velocity over the field
     bool help = false;                             ///< the keys are shown
     ColourRange range;
-    std::optional<double> marker;  ///< x of the plot sample under the pointer, a hairline in the others
 
     const ColourMap& map() const {
         const auto chosen = maps.find(shown);

@@ -14,7 +14,7 @@ std::string run_text(std::string_view path) {
     if (!path.ends_with(".png")) return read_run_text(path);
     std::vector<TextChunk> chunks;
     try {
-        read_png(path, &chunks);
+        chunks = read_png_text(path);
     } catch (const std::runtime_error& e) {
         throw InputError(e.what());
     }

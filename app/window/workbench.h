@@ -7,10 +7,10 @@
 #include "app/panels/hover_help.h"
 #include "app/panels/panel.h"
 #include "app/window/brush_tool.h"
+#include "app/window/clerk.h"
 #include "app/window/field_painter.h"
 #include "app/window/frame_clock.h"
 #include "app/window/glfw_window.h"
-#include "app/window/picture_taker.h"
 
 namespace whorl::app {
 
@@ -27,8 +27,10 @@ class Workbench {
   private:
     void act_on(const InputEvent& event);
     void press_key(const InputEvent& event);
+    void travel(int key);
     void type(const InputEvent& event);
     void take_run();
+    PanelContext context();
     void draw();
 
     GlfwWindow& window_;
@@ -37,6 +39,8 @@ class Workbench {
     int warm_up_ = 5;  ///< frames that are not measured yet
     Notices notices_;
     ViewState view_;
+    MeasureView measure_view_;
+    FileDesk files_;
     History history_;
     FrameLog frames_;
     HoverHelp help_;
@@ -44,7 +48,6 @@ class Workbench {
     FieldPlacement place_;
     Slabs slabs_;
     FieldPainter painter_;
-    PictureTaker pictures_;
     Field scratch_;                 ///< for views that are worked out
     const Field* field_ = nullptr;  ///< what the chosen view shows
     std::uint64_t serial_ = ~std::uint64_t{0};
@@ -53,6 +56,7 @@ class Workbench {
     std::vector<StepMeasures> measures_;
     std::unique_ptr<Player> player_;
     Remote remote_;
+    Clerk clerk_;
 };
 
 }  // namespace whorl::app

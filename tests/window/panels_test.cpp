@@ -27,6 +27,8 @@ std::string drawn(HeadlessUi& ui, const Scene& scene, bool help) {
         Remote remote(player, notices);
         ViewState view;
         view.help = help;
+        MeasureView measure_view;
+        FileDesk files;
         History history;
         FrameLog frames;
         frames.add(16.7, 5);
@@ -37,10 +39,11 @@ std::string drawn(HeadlessUi& ui, const Scene& scene, bool help) {
             remote.begin_frame();
             std::vector<StepMeasures> measures;
             const bool new_run = player.take_measures(measures);
-            history.take(measures, 0, new_run);
+            history.take(measures, new_run);
             Field scratch;
             const Field* field = view.shown->field(remote.snapshot(), scratch);
-            PanelContext context{ui.theme, remote, view, history, frames, field, hover, trace, slabs};
+            PanelContext context{ui.theme, remote, view,  measure_view, files, history,
+                                 frames,   field,  hover, trace,        slabs};
             ui.frame([&] {
                 draw_control_column(context);
                 draw_measure_column(context);
