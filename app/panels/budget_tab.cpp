@@ -16,18 +16,20 @@ void quantity_chips(PanelContext& context) {
     bool& of_enstrophy = context.measures.of_enstrophy;
     if (chip(context.theme, "Energy", !of_enstrophy, width)) of_enstrophy = false;
     context.trace.control("budget=energy");
-    context.help.item(context.theme, "budget=energy",
-                      {"Energy budget",
-                       "How much kinetic energy, ½∫|u|², forces, projection and advection gave or took in each "
-                       "step. What advection takes is numerical dissipation.",
-                       "", "", ""});
+    context.help.item(
+        context.theme, "budget=energy",
+        {"Energy budget",
+         "How much kinetic energy, ½∫|u|², forces, projection and advection gave or took in each "
+         "step. What advection takes is numerical dissipation.",
+         "", "", ""});
     ImGui::SameLine();
     if (chip(context.theme, "Enstrophy", of_enstrophy, width)) of_enstrophy = true;
     context.trace.control("budget=enstrophy");
-    context.help.item(context.theme, "budget=enstrophy",
-                      {"Enstrophy budget",
-                       "How much enstrophy, ½∫ω², forces, projection and advection gave or took in each step.",
-                       "", "", ""});
+    context.help.item(
+        context.theme, "budget=enstrophy",
+        {"Enstrophy budget",
+         "How much enstrophy, ½∫ω², forces, projection and advection gave or took in each step.", "", "",
+         ""});
 }
 
 std::optional<double> draw_budget(PanelContext& context, float height) {
@@ -77,7 +79,8 @@ std::optional<double> draw_viscosity(PanelContext& context, float height) {
     plot.legend = false;
     plot.marker = context.measures.marker;
     plot.size = {0, height};
-    plot.empty_text = is_solved(context.snapshot()) ? "still air so far" : "the flow is given, not solved for";
+    plot.empty_text =
+        is_solved(context.snapshot()) ? "still air so far" : "the flow is given, not solved for";
     const auto x = draw_on_card(context, plot, series);
     context.trace.control("plot=viscosity");
     return x;
@@ -97,7 +100,8 @@ void draw_budget_tab(PanelContext& context) {
     ImGui::PushFont(theme.small);
     ImGui::PushTextWrapPos(0);
     text(theme.palette.text_dim,
-         "The ν for which ν · 2 · enstrophy is the energy that advection took, a time. Below 0 the scheme gave "
+         "The ν for which ν · 2 · enstrophy is the energy that advection took, a time. Below 0 the scheme "
+         "gave "
          "energy.");
     ImGui::PopTextWrapPos();
     ImGui::PopFont();

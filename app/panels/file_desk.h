@@ -52,7 +52,9 @@ struct FileDesk {
     bool ask_open = false;  ///< shows the dialog from the next frame on
     bool ask_film = false;
     bool dialog = false;  ///< one is on screen: keys are not for the run
-    std::string path;     ///< typed
+    bool enter = false;   ///< the key was pressed since the last frame, however briefly
+    bool escape = false;
+    std::string path;  ///< typed
     std::vector<RunEntry> entries;
     bool has_ffmpeg = false;  ///< when the dialog came up
 };

@@ -85,7 +85,7 @@ void draw_film_dialog(PanelContext& context) {
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     const float width = std::floor((ImGui::GetContentRegionAvail().x - gap) / 2);
     ImGui::BeginDisabled(missing);
-    if (ImGui::Button("Record", {width, 0})) {
+    if (ImGui::Button("Record", {width, 0}) || (files.enter && !missing)) {
         files.make_film = files.film;
         ImGui::CloseCurrentPopup();
     }

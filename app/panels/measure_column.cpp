@@ -74,8 +74,8 @@ void lane_legend(PanelContext& context) {
         const std::string key = "legend-lane=" + std::to_string(k);
         context.trace.control(key);
         context.help.item(theme, key,
-                          {titles[k], "Click to select the lane: the budget and the figures above are its.", "",
-                           "", moment.lanes[k].failure ? "It has stopped." : ""});
+                          {titles[k], "Click to select the lane: the budget and the figures above are its.",
+                           "", "", moment.lanes[k].failure ? "It has stopped." : ""});
         ImDrawList& list = *ImGui::GetWindowDrawList();
         if (selected || hovered)
             list.AddRectFilled(at, {at.x + width, at.y + height}, theme.palette.frame, theme.px(4));

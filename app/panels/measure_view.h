@@ -13,9 +13,9 @@ enum class MeasureTab { Plots, Spectrum, Budget, Table };
 
 struct MeasureView {
     MeasureTab tab = MeasureTab::Plots;
-    Track norm = Track::L2;         ///< of the errors, where each lane has one curve
-    bool of_enstrophy = false;      ///< the budget's quantity, else energy
-    std::optional<double> marker;   ///< x of the plot sample under the pointer, a hairline in the others
+    Track norm = Track::L2;        ///< of the errors, where each lane has one curve
+    bool of_enstrophy = false;     ///< the budget's quantity, else energy
+    std::optional<double> marker;  ///< x of the plot sample under the pointer, a hairline in the others
     LaneTitles titles;
     Spectra spectra;
 };

@@ -58,7 +58,7 @@ bool begin_dialog(PanelContext& context, const char* title, float width) {
     ImGui::PushFont(theme.title);
     ImGui::TextUnformatted(title);
     ImGui::PopFont();
-    if (ImGui::IsKeyPressed(ImGuiKey_Escape, false)) ImGui::CloseCurrentPopup();
+    if (context.files.escape) ImGui::CloseCurrentPopup();
     return true;
 }
 
@@ -94,8 +94,7 @@ void draw_open_dialog(PanelContext& context) {
     list(context);
     ImGui::SetNextItemWidth(-FLT_MIN);
     if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
-    const bool entered = ImGui::InputTextWithHint("##path", "name or path of a file", &files.path,
-                                                  ImGuiInputTextFlags_EnterReturnsTrue);
+    ImGui::InputTextWithHint("##path", "name or path of a file", &files.path);
     context.trace.control("open-path");
     context.help.item(
         theme, "open-path",
@@ -104,7 +103,7 @@ void draw_open_dialog(PanelContext& context) {
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     const float width = std::floor((ImGui::GetContentRegionAvail().x - gap) / 2);
     ImGui::BeginDisabled(files.path.empty());
-    if (ImGui::Button("Open", {width, 0}) || (entered && !files.path.empty())) choose(context);
+    if (ImGui::Button("Open", {width, 0}) || (files.enter && !files.path.empty())) choose(context);
     ImGui::EndDisabled();
     context.trace.control("open-do");
     ImGui::SameLine();

@@ -20,7 +20,7 @@ struct Curve {
 /// A plot of the run's history.
 struct Chart {
     enum class When { Always, Solved, Errors };  ///< a flow that is solved for; something to compare with
-    enum class Scale { Fitted, Logarithmic, Percent, Milliseconds };
+    enum class Scale { Fitted, Logarithmic, Percent, Density, Milliseconds };
 
     const char* title;
     const char* unit;
@@ -50,7 +50,7 @@ constexpr Chart of_one_lane[] = {
     {"Total smoke", "%", Scale::Percent, When::Always, total},
     {"Kinetic energy", "", Scale::Fitted, When::Solved, energy},
     {"Enstrophy", "", Scale::Fitted, When::Solved, enstrophy},
-    {"Density", "", Scale::Fitted, When::Always, extrema},
+    {"Density", "", Scale::Density, When::Always, extrema},
     {"Max |∇·u|", "1/time", Scale::Logarithmic, When::Solved, divergence},
     {"Step time", "ms", Scale::Milliseconds, When::Always, phases},
 };
@@ -59,8 +59,8 @@ constexpr Chart of_many_lanes[] = {
     {"Total smoke", "%", Scale::Percent, When::Always, total},
     {"Kinetic energy", "", Scale::Fitted, When::Solved, energy},
     {"Enstrophy", "", Scale::Fitted, When::Solved, enstrophy},
-    {"Largest density", "", Scale::Fitted, When::Always, largest},
-    {"Smallest density", "", Scale::Fitted, When::Always, smallest},
+    {"Largest density", "", Scale::Density, When::Always, largest},
+    {"Smallest density", "", Scale::Density, When::Always, smallest},
     {"Max |∇·u|", "1/time", Scale::Logarithmic, When::Solved, divergence},
     {"Step time", "ms", Scale::Milliseconds, When::Always, phases},
 };
@@ -74,8 +74,7 @@ struct Line {
 
 bool wanted(const Chart& chart, const SessionSnapshot& moment) {
     if (chart.when == When::Errors) return has_errors(moment);
-    if (chart.when == When::Solved)
-        return std::any_of(moment.lanes.begin(), moment.lanes.end(), is_solved);
+    if (chart.when == When::Solved) return std::any_of(moment.lanes.begin(), moment.lanes.end(), is_solved);
     return true;
 }
 
@@ -107,8 +106,7 @@ std::vector<Line> lines_of(const Chart& chart, const History& history, const Ses
     if (moment.lanes.size() == 1) {
         const LaneHistory& lane = history.lane(moment.ids.front());
         for (const Curve& curve : chart.curves)
-            lines.push_back(
-                {curve.label, static_cast<int>(lines.size()), lane.steps, lane.of(curve.track)});
+            lines.push_back({curve.label, static_cast<int>(lines.size()), lane.steps, lane.of(curve.track)});
         return lines;
     }
     const std::vector<std::string>& titles = view.titles.of(moment.setup);
@@ -120,10 +118,19 @@ std::vector<Line> lines_of(const Chart& chart, const History& history, const Ses
     return lines;
 }
 
-/// Shares of smoke get a scale that does not blow up rounding; times one that a factorisation now and then
-/// does not flatten.
+/// The interval of y with at least these two values in it, and air around.
+Interval around(const std::vector<float>& y, double low, double high) {
+    const auto [least, most] = std::minmax_element(y.begin(), y.end());
+    const double lo = std::min(low, static_cast<double>(*least));
+    const double hi = std::max(high, static_cast<double>(*most));
+    const double air = 0.08 * (hi - lo);
+    return {lo - air, hi + air};
+}
+
+/// Shares of smoke and densities get a scale that does not blow up rounding; times one that a factorisation
+/// now and then does not flatten.
 std::optional<Interval> range_of(const Chart& chart, const std::vector<Line>& lines) {
-    if (chart.scale != Scale::Percent && chart.scale != Scale::Milliseconds) return {};
+    if (chart.scale == Scale::Fitted || chart.scale == Scale::Logarithmic) return {};
     std::vector<float> known;
     for (const Line& line : lines) {
         std::copy_if(line.y.begin(), line.y.end(), std::back_inserter(known),
@@ -131,13 +138,8 @@ std::optional<Interval> range_of(const Chart& chart, const std::vector<Line>& li
         if (chart.scale == Scale::Milliseconds && lines.size() == chart.curves.size()) break;  // the total
     }
     if (known.empty()) return {};
-    if (chart.scale == Scale::Percent) {
-        const auto [least, most] = std::minmax_element(known.begin(), known.end());
-        const double lo = std::min(99.0, static_cast<double>(*least));
-        const double hi = std::max(101.0, static_cast<double>(*most));
-        const double air = 0.08 * (hi - lo);
-        return Interval{lo - air, hi + air};
-    }
+    if (chart.scale == Scale::Percent) return around(known, 99, 101);
+    if (chart.scale == Scale::Density) return around(known, 0, 0.05);
     const auto high = known.begin() + static_cast<long>(0.98 * static_cast<double>(known.size()));
     std::nth_element(known.begin(), high, known.end());
     if (*high > 0) return Interval{0, 1.4 * static_cast<double>(*high)};
@@ -251,7 +253,8 @@ std::vector<SheetPlot> plots_of(const History& history, const SessionSnapshot& m
         plot.unit = chart->unit;
         plot.log_y = chart->scale == Scale::Logarithmic;
         for (const Line& line : lines_of(*chart, history, moment, view)) {
-            const auto until = std::upper_bound(line.x.begin(), line.x.end(), static_cast<float>(moment.step));
+            const auto until =
+                std::upper_bound(line.x.begin(), line.x.end(), static_cast<float>(moment.step));
             const auto count = until - line.x.begin();
             plot.curves.push_back(
                 {line.label, line.colour, {line.x.begin(), until}, {line.y.begin(), line.y.begin() + count}});

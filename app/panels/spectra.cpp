@@ -20,9 +20,8 @@ LaneSpectrum spectrum_of(const Flow& flow, Spectrum& worker) {
     Boundary boundary(flow.grid, flow.periodic ? Sides::of<Periodic>() : Sides::of<Box>());
     boundary.set_solids(flow.solids);
     worker.compute(flow.velocity, boundary);
-    return {flow.id,
-            {worker.k().begin(), worker.k().end()},
-            {worker.energy().begin(), worker.energy().end()}};
+    return {
+        flow.id, {worker.k().begin(), worker.k().end()}, {worker.energy().begin(), worker.energy().end()}};
 }
 
 }  // namespace

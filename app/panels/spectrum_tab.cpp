@@ -53,16 +53,18 @@ void draw_spectrum_tab(PanelContext& context) {
     plot.log_x = true;
     plot.log_y = true;
     plot.y_range = range_of(spectra.lanes());
-    plot.empty_text = moment.lanes.front().grid.dimensions() == 1 ? "a line has no spectrum" : "in the making";
+    plot.empty_text =
+        moment.lanes.front().grid.dimensions() == 1 ? "a line has no spectrum" : "in the making";
     plot.size = {0, std::floor(std::min(ImGui::GetContentRegionAvail().y - theme.px(64), theme.px(460)))};
     plot.size.y = std::max(plot.size.y, theme.px(160));
     draw_on_card(context, plot, series);
     context.trace.control("plot=spectrum");
     ImGui::PushFont(theme.small);
     ImGui::PushTextWrapPos(0);
-    text(theme.palette.text_dim,
-         "How the mean of ½|u|² spreads over wave numbers, length³/time². A dissipative scheme takes the high "
-         "ones first. The slope of 2D turbulence is about k⁻³.");
+    text(
+        theme.palette.text_dim,
+        "How the mean of ½|u|² spreads over wave numbers, length³/time². A dissipative scheme takes the high "
+        "ones first. The slope of 2D turbulence is about k⁻³.");
     ImGui::PopTextWrapPos();
     ImGui::PopFont();
 }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <span>
 
 #include "app/panels/measure_tabs.h"
 #include "app/panels/widgets.h"
@@ -23,25 +23,38 @@ struct Column {
 
 using Best = Column::Best;
 
-constexpr Column columns[] = {
-    {"smoke %", "Total smoke: what is left of what was put in. Best nearest to 100 %.  [thesis eq. 5.5]",
+constexpr Column smoke[] = {
+    {"total, %", "Total smoke: what is left of what was put in. Best nearest to 100 %.  [thesis eq. 5.5]",
      [](const Measures& m) { return m.density_percent; }, Best::NearestHundred},
-    {"energy", "Kinetic energy, ½∫|u|².", [](const Measures& m) { return m.kinetic_energy; }, Best::None},
-    {"enstrophy", "½∫ω².", [](const Measures& m) { return m.enstrophy; }, Best::None},
-    {"min ρ", "Smallest density.", [](const Measures& m) { return m.min_density; }, Best::None},
-    {"max ρ", "Largest density.", [](const Measures& m) { return m.max_density; }, Best::None},
+    {"min", "Smallest density.", [](const Measures& m) { return m.min_density; }, Best::None},
+    {"max", "Largest density.", [](const Measures& m) { return m.max_density; }, Best::None},
+};
+constexpr Column error[] = {
     {"L1", "Mean error against the exact solution or the reference lane. Best least.  [thesis eq. 5.4]",
      [](const Measures& m) { return m.errors.L1; }, Best::Least},
     {"L2", "Root of the mean square error. Best least.  [thesis eq. 5.6]",
      [](const Measures& m) { return m.errors.L2; }, Best::Least},
     {"L∞", "Largest error. Best least.  [thesis eq. 5.7]", [](const Measures& m) { return m.errors.Linf; },
      Best::Least},
-    {"ν eff.", "Effective viscosity of the last step's advection, length²/time. Best nearest to 0.",
+};
+constexpr Column flow[] = {
+    {"energy", "Kinetic energy, ½∫|u|².", [](const Measures& m) { return m.kinetic_energy; }, Best::None},
+    {"enstrophy", "½∫ω².", [](const Measures& m) { return m.enstrophy; }, Best::None},
+    {"visc.", "Effective viscosity of the last step's advection, length²/time. Best nearest to 0.",
      [](const Measures& m) { return m.effective_viscosity; }, Best::NearestZero},
-    {"ms/step", "Milliseconds that the last step took. Best least.",
+};
+constexpr Column cost[] = {
+    {"ms a step", "Milliseconds that the last step took. Best least.",
      [](const Measures& m) { return m.ms.total; }, Best::Least},
 };
-constexpr int column_count = static_cast<int>(std::size(columns));
+
+/// Few columns fit the width: the measures come in several tables.
+struct Group {
+    const char* title;
+    std::span<const Column> columns;
+};
+
+constexpr Group groups[] = {{"Smoke", smoke}, {"Error", error}, {"Flow", flow}, {"Cost", cost}};
 
 /// How far from best a value is; NaN where there is no best.
 double badness(Best best, double value) {
@@ -75,7 +88,7 @@ double best_of(const Column& column, const std::vector<Row>& rows, int reference
 }
 
 /// Sorted as the table's heads say; lanes without a value come last.
-void sort(std::vector<Row>& rows) {
+void sort(std::vector<Row>& rows, std::span<const Column> columns) {
     const ImGuiTableSortSpecs* specs = ImGui::TableGetSortSpecs();
     if (specs == nullptr || specs->SpecsCount == 0) return;
     const ImGuiTableColumnSortSpecs& by = specs->Specs[0];
@@ -84,7 +97,7 @@ void sort(std::vector<Row>& rows) {
         if (down) std::reverse(rows.begin(), rows.end());
         return;
     }
-    const Column& column = columns[by.ColumnIndex - 1];
+    const Column& column = columns[static_cast<std::size_t>(by.ColumnIndex - 1)];
     std::stable_sort(rows.begin(), rows.end(), [&](const Row& a, const Row& b) {
         const double x = column.value(*a.measures);
         const double y = column.value(*b.measures);
@@ -93,17 +106,26 @@ void sort(std::vector<Row>& rows) {
     });
 }
 
-void heads(PanelContext& context) {
+void head(PanelContext& context, const char* table, const char* label, const char* help, bool numbers) {
+    if (numbers) {  // right-aligned as they are, with room for the arrow
+        const bool sorted = (ImGui::TableGetColumnFlags() & ImGuiTableColumnFlags_IsSorted) != 0;
+        const float arrow = sorted ? 1.2f * ImGui::GetFontSize() : 1;
+        const float free = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(label).x - arrow;
+        ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, free));
+    }
+    ImGui::TableHeader(label);
+    const std::string key = std::string(table) + "=" + label;
+    context.trace.control(key);
+    context.help.item(context.theme, key, {label, help, "Click to sort.", "", ""});
+}
+
+void heads(PanelContext& context, const Group& group) {
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
-    for (int k = 0; k <= column_count; ++k) {
-        ImGui::TableSetColumnIndex(k);
-        const char* label = k == 0 ? "Lane" : columns[k - 1].label;
-        ImGui::TableHeader(label);
-        const std::string key = "table=" + std::string(label);
-        context.trace.control(key);
-        context.help.item(context.theme, key,
-                          {label, k == 0 ? "In the order of the lanes." : columns[k - 1].help,
-                           "Click to sort.", "", ""});
+    ImGui::TableSetColumnIndex(0);
+    head(context, group.title, group.title, "In the order of the lanes.", false);
+    for (std::size_t k = 0; k < group.columns.size(); ++k) {
+        ImGui::TableSetColumnIndex(static_cast<int>(k + 1));
+        head(context, group.title, group.columns[k].label, group.columns[k].help, true);
     }
 }
 
@@ -112,24 +134,64 @@ void lane_cell(PanelContext& context, std::size_t place, const std::string& titl
     const float side = theme.px(9);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float middle = at.y + 0.5f * ImGui::GetTextLineHeight();
-    ImGui::GetWindowDrawList()->AddRectFilled({at.x, middle - 0.5f * side}, {at.x + side, middle + 0.5f * side},
+    ImGui::GetWindowDrawList()->AddRectFilled({at.x, middle - 0.5f * side},
+                                              {at.x + side, middle + 0.5f * side},
                                               theme.lane(static_cast<int>(place)), theme.px(2));
     ImGui::SetCursorScreenPos({at.x + side + theme.px(6), at.y});
-    text(theme.palette.text, fitted(title, theme.px(104)));
+    text(theme.palette.text, fitted(title, ImGui::GetContentRegionAvail().x));
     const std::string key = "table-lane=" + std::to_string(place);
     context.help.item(theme, key, {title, "", "", "", ""});
 }
 
+/// As many digits as there is room for.
 void value_cell(PanelContext& context, double value, bool best) {
     const Theme& theme = context.theme;
-    const std::string shown = std::isnan(value) ? "–" : figure(value, 4);
     ImGui::PushFont(theme.mono);
-    const float free = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(shown.c_str()).x;
+    const float room = ImGui::GetContentRegionAvail().x;
+    std::string shown = "–";
+    for (int digits = 4; digits > 1 && !std::isnan(value); --digits) {
+        shown = figure(value, digits);
+        if (ImGui::CalcTextSize(shown.c_str()).x <= room) break;
+    }
+    const float free = room - ImGui::CalcTextSize(shown.c_str()).x;
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, free));
-    if (best)
-        ImGui::TableSetBgColor(ImGuiTableBgTarget_CellBg, faded(theme.palette.accent, 0.24f));
-    text(best ? theme.palette.text : std::isnan(value) ? theme.palette.text_dim : theme.palette.text, shown);
+    if (best) ImGui::TableSetBgColor(ImGuiTableBgTarget_CellBg, faded(theme.palette.accent, 0.24f));
+    text(std::isnan(value) ? theme.palette.text_dim : theme.palette.text, shown);
     ImGui::PopFont();
+}
+
+void draw_group(PanelContext& context, const Group& group) {
+    const SessionSnapshot& moment = context.remote.session();
+    const std::vector<std::string>& titles = context.measures.titles.of(moment.setup);
+    std::vector<Row> rows;
+    for (std::size_t k = 0; k < moment.lanes.size(); ++k) rows.push_back({k, &moment.lanes[k].measures});
+
+    constexpr ImGuiTableFlags flags = ImGuiTableFlags_Sortable | ImGuiTableFlags_RowBg |
+                                      ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_SizingStretchProp |
+                                      ImGuiTableFlags_NoSavedSettings;
+    constexpr float lane_share = 1.6f;  // of a column's width
+    if (!ImGui::BeginTable(group.title, static_cast<int>(group.columns.size()) + 1, flags)) return;
+    ImGui::TableSetupColumn(group.title, ImGuiTableColumnFlags_DefaultSort, lane_share);
+    for (const Column& column : group.columns)
+        ImGui::TableSetupColumn(column.label, ImGuiTableColumnFlags_PreferSortDescending, 1);
+    heads(context, group);
+    sort(rows, group.columns);
+    for (const Row& row : rows) {
+        ImGui::TableNextRow();
+        ImGui::TableSetColumnIndex(0);
+        lane_cell(context, row.place, titles[row.place]);
+        for (std::size_t k = 0; k < group.columns.size(); ++k) {
+            const Column& column = group.columns[k];
+            ImGui::TableSetColumnIndex(static_cast<int>(k + 1));
+            const double value = column.value(*row.measures);
+            const bool competes = rows.size() > 1 && static_cast<int>(row.place) != moment.setup.reference;
+            const bool best =
+                competes && badness(column.best, value) == best_of(column, rows, moment.setup.reference);
+            value_cell(context, value, best);
+        }
+    }
+    ImGui::EndTable();
+    ImGui::Dummy({0, context.theme.px(6)});
 }
 
 }  // namespace
@@ -137,47 +199,18 @@ void value_cell(PanelContext& context, double value, bool best) {
 void draw_table_tab(PanelContext& context) {
     const Theme& theme = context.theme;
     const SessionSnapshot& moment = context.remote.session();
-    const std::vector<std::string>& titles = context.measures.titles.of(moment.setup);
-    std::vector<Row> rows;
-    for (std::size_t k = 0; k < moment.lanes.size(); ++k) rows.push_back({k, &moment.lanes[k].measures});
-
-    constexpr ImGuiTableFlags flags = ImGuiTableFlags_Sortable | ImGuiTableFlags_ScrollX |
-                                      ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV |
-                                      ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoSavedSettings;
-    const float line = ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y;
-    const float height =
-        line * static_cast<float>(rows.size() + 1) + ImGui::GetStyle().ScrollbarSize + theme.px(6);
-    if (ImGui::BeginTable("lanes", column_count + 1, flags, {0, height})) {
-        ImGui::TableSetupScrollFreeze(1, 1);
-        ImGui::TableSetupColumn("Lane", ImGuiTableColumnFlags_DefaultSort | ImGuiTableColumnFlags_WidthFixed,
-                                theme.px(124));
-        for (const Column& column : columns)
-            ImGui::TableSetupColumn(column.label, ImGuiTableColumnFlags_WidthFixed, theme.px(72));
-        heads(context);
-        sort(rows);
-        double best[column_count];
-        for (int k = 0; k < column_count; ++k) best[k] = best_of(columns[k], rows, moment.setup.reference);
-        for (const Row& row : rows) {
-            ImGui::TableNextRow();
-            ImGui::TableSetColumnIndex(0);
-            lane_cell(context, row.place, titles[row.place]);
-            for (int k = 0; k < column_count; ++k) {
-                ImGui::TableSetColumnIndex(k + 1);
-                const double value = columns[k].value(*row.measures);
-                const bool marked = rows.size() > 1 && badness(columns[k].best, value) == best[k] &&
-                                    static_cast<int>(row.place) != moment.setup.reference;
-                value_cell(context, value, marked);
-            }
-        }
-        ImGui::EndTable();
+    for (const Group& group : groups) {
+        if (group.columns.data() == error && !has_errors(moment)) continue;
+        draw_group(context, group);
     }
-    context.trace.control("table");
     ImGui::PushFont(theme.small);
     ImGui::PushTextWrapPos(0);
-    text(theme.palette.text_dim,
-         rows.size() > 1 ? "Click a head to sort, rest on it for what it means. The best of a column is marked, "
-                           "where one value is better than another."
-                         : "Add lanes to compare. Rest on a head for what it means.");
+    text(
+        theme.palette.text_dim,
+        moment.lanes.size() > 1
+            ? "Click a head to sort, rest on it for what it means. The best of a column is marked, where one "
+              "value is better than another."
+            : "Add lanes to compare. Rest on a head for what it means.");
     ImGui::PopTextWrapPos();
     ImGui::PopFont();
 }

@@ -129,7 +129,11 @@ void Workbench::press_key(const InputEvent& event) {
     if (!ImGui::GetIO().WantTextInput && !files_.dialog) travel(event.code);
     if (event.repeated) return;
     if (event.code == GLFW_KEY_F12) files_.take_picture = true;
-    if (event.code == GLFW_KEY_ESCAPE) view_.help = false;
+    if (event.code == GLFW_KEY_ESCAPE) {
+        files_.escape = true;
+        view_.help = false;
+    }
+    if (event.code == GLFW_KEY_ENTER || event.code == GLFW_KEY_KP_ENTER) files_.enter = true;
     if ((event.mods & GLFW_MOD_CONTROL) == 0) return;
     if (event.code == GLFW_KEY_S) files_.save_run = true;
     if (event.code == GLFW_KEY_O) files_.ask_open = true;
@@ -197,6 +201,7 @@ void Workbench::draw() {
     ImGui::End();
     draw_open_dialog(context);
     draw_film_dialog(context);
+    files_.enter = files_.escape = false;
     draw_help_overlay(context);
     help_.end_frame();
     ImGui::Render();
