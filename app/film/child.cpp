@@ -66,7 +66,7 @@ std::string find_program(std::string_view name) {
     const char* path = std::getenv("PATH");
     std::istringstream directories(path != nullptr ? path : "");
     for (std::string directory; std::getline(directories, directory, ':');) {
-        const std::string program = (directory.empty() ? "." : directory) + "/" + std::string(name);
+        std::string program = (directory.empty() ? "." : directory) + "/" + std::string(name);
         struct stat status {};
         if (::stat(program.c_str(), &status) == 0 && S_ISREG(status.st_mode) &&
             ::access(program.c_str(), X_OK) == 0)

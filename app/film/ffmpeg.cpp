@@ -70,11 +70,12 @@ void Ffmpeg::start(int width, int height) {
                                      std::to_string(frames_per_second_), "-i", "pipe:0", "-vf"};
     if (format_ == Format::Mp4) {
         // Half the colour's resolution, as players want it; the matrix is named, or they would guess.
+        const std::string convert =
+            "scale=out_color_matrix=bt709:out_range=limited:flags=accurate_rnd+full_chroma_int,format="
+            "yuv420p";
         command.insert(command.end(),
-                       {"scale=out_color_matrix=bt709:out_range=limited:flags=accurate_rnd+full_chroma_int,"
-                        "format=yuv420p",
-                        "-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "iec61966-2-1",
-                        "-color_range", "tv", "-movflags", "+faststart", "-f", "mp4"});
+                       {convert, "-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc",
+                        "iec61966-2-1", "-color_range", "tv", "-movflags", "+faststart", "-f", "mp4"});
     } else {
         // A palette a frame: one for all would hold every frame in memory until the end. The ordered dither
         // stands still from frame to frame.

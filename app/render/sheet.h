@@ -47,7 +47,7 @@ struct SheetPlot {
     std::vector<SheetCurve> curves;
 };
 
-/// Larger letters do not fit the texture that holds them.
+/// Beyond this, the texture of the letters alone takes more than a hundred megabytes.
 inline constexpr float largest_sheet_scale = 8.0f;
 
 /// A whole picture. All domains have the same shape and are drawn in the same size, whatever their

@@ -13,8 +13,38 @@ namespace whorl {
 namespace {
 
 constexpr std::size_t max_arrangements = 1000;
+constexpr const char* too_long = "too long for a run: over 16 MiB";
 constexpr std::string_view keys_of_a_run[] = {"whorl",  "lane",        "reference", "step",
                                               "digest", "arrangement", "commands"};
+
+constexpr std::size_t max_toml_bytes = std::size_t{1} << 20;  // of a run without its commands
+const toml::source_region start{{1, 1}, {1, 1}, {}};
+
+/// A run's text in two: commands, of which there may be many, and TOML, of which a parser must not see too
+/// much.
+struct Split {
+    std::string toml;  ///< with empty lines for the commands
+    std::string_view commands;
+    std::size_t lines = 0;  ///< of the commands
+};
+
+/// Commands stand as write_run writes them. Elsewhere, they are a text of the TOML like others.
+Split split(std::string_view text) {
+    constexpr std::string_view opening = "\ncommands = \"\"\"\n", closing = "\"\"\"";
+    const std::size_t key = text.find(opening);
+    if (key == text.npos) return {std::string(text), {}, 0};
+    const std::size_t begin = key + opening.size();
+    const std::size_t end = text.find(closing, begin);
+    if (end == text.npos) return {std::string(text), {}, 0};
+    const std::string_view commands = text.substr(begin, end - begin);
+    const auto lines = static_cast<std::size_t>(std::count(commands.begin(), commands.end(), '\n'));
+    return {std::string(text.substr(0, begin)) + std::string(lines, '\n') + std::string(text.substr(end)),
+            commands, lines};
+}
+
+toml::table parse_split(const Split& split, std::string_view name) {
+    return parse_toml(split.toml, name, max_toml_bytes + split.lines);
+}
 
 /// A lane, and in an arrangement what it goes on from.
 struct ReadLane {
@@ -93,12 +123,13 @@ std::uint64_t read_digest(const TomlReader& reader, const toml::node& node) {
 
 void read_version(const TomlReader& reader, const toml::table& table) {
     const toml::node* version = table.get("whorl");
-    if (version == nullptr) reader.fail(1, 1, "not a Whorl scene: it begins with whorl = 1");
+    if (version == nullptr) reader.fail(start, "not a Whorl scene: it begins with whorl = 1");
     if (version->value<int>() != run_version)
         reader.fail(version->source(), "this is a scene of another version; this program reads whorl = 1");
 }
 
-void read_all_commands(const TomlReader& reader, const toml::table& table, Recording& recording) {
+void read_all_commands(const TomlReader& reader, const toml::table& table, std::string_view text,
+                       Recording& recording) {
     std::vector<Arrange> arrangements;
     if (const toml::node* node = table.get("arrangement")) {
         reader.tables(*node, "arrangement", max_arrangements,
@@ -107,7 +138,8 @@ void read_all_commands(const TomlReader& reader, const toml::table& table, Recor
     const toml::node* commands = table.get("commands");
     if (commands == nullptr) return;
     try {
-        recording.commands = read_commands(reader.string(*commands, "commands"), arrangements);
+        const std::string value = reader.string(*commands, "commands");
+        recording.commands = read_commands(text.empty() ? value : text, arrangements);
     } catch (const InputError& e) {
         reader.fail(commands->source(), e.what());
     }
@@ -131,8 +163,10 @@ std::string shape_of(const std::string& name) {
 }  // namespace
 
 Recording parse_run(std::string_view text, std::string_view name) {
+    if (text.size() > max_run_bytes) fail_at(name, start.begin, too_long);
     const TomlReader reader(name);
-    const toml::table table = reader.parse(text);
+    const Split parts = split(text);
+    const toml::table table = parse_split(parts, name);
     read_version(reader, table);
     Recording recording;
     recording.setup.scene = read_scene_table(reader, table, keys_of_a_run);
@@ -142,7 +176,7 @@ Recording parse_run(std::string_view text, std::string_view name) {
     if (const toml::node* node = table.get("step"))
         recording.step = reader.integer(*node, "step", 0, Recording::max_step);
     if (const toml::node* node = table.get("digest")) recording.digest = read_digest(reader, *node);
-    read_all_commands(reader, table, recording);
+    read_all_commands(reader, table, parts.commands, recording);
     try {
         lane_scenes(recording.setup);
     } catch (const InputError& e) {
@@ -159,7 +193,7 @@ std::string read_run_text(const std::filesystem::path& path) {
     text.resize(static_cast<std::size_t>(file.gcount()));
     if (file.bad() || (text.empty() && std::filesystem::is_directory(path)))
         throw InputError(path.string() + ": " + shape_of(path.string()));
-    if (text.size() > max_run_bytes) throw InputError(path.string() + ": too large for a run (over 16 MiB)");
+    if (text.size() > max_run_bytes) throw InputError(path.string() + ": " + too_long);
     return text;
 }
 
@@ -196,10 +230,10 @@ std::string write_run(const Recording& recording) {
 
 Lanes parse_lanes(std::string_view text, std::string_view name) {
     const TomlReader reader(name);
-    const toml::table table = reader.parse(text);
+    const toml::table table = parse_split(split(text), name);
     read_version(reader, table);
     const toml::node* lanes = table.get("lane");
-    if (lanes == nullptr) reader.fail(1, 1, "there are no lanes: write [[lane]]");
+    if (lanes == nullptr) reader.fail(start, "there are no lanes: write [[lane]]");
     Lanes result;
     result.lanes = read_lanes(reader, *lanes);
     if (const toml::node* node = table.get("title")) result.title = reader.string(*node, "title");

@@ -1,6 +1,7 @@
 #include "core/io/scene_table.h"
 
 #include <algorithm>
+#include <limits>
 #include <ostream>
 
 #include "core/experiments/experiment.h"
@@ -11,18 +12,22 @@ namespace {
 
 constexpr std::size_t max_tables = 1000;  // emitters, and obstacles
 
-TomlReader::Key number(const TomlReader& reader, std::string_view key, double& value) {
-    return {key, [&reader, key, &value](const toml::node& node) {
-                value = reader.number(node, std::string(key));
+constexpr double unlimited = std::numeric_limits<double>::infinity();  // "never" is a time
+
+TomlReader::Key number(const TomlReader& reader, std::string_view key, double& value,
+                       double most = TomlReader::max_number) {
+    return {key, [&reader, key, &value, most](const toml::node& node) {
+                value = reader.number(node, std::string(key), most);
             }};
 }
 
 Emitter read_emitter(const TomlReader& reader, const toml::table& table) {
     Emitter e;
-    reader.keys(table, {number(reader, "x", e.x), number(reader, "y", e.y), number(reader, "width", e.width),
-                        number(reader, "height", e.height), number(reader, "density", e.density),
-                        number(reader, "temperature", e.temperature), number(reader, "from", e.from),
-                        number(reader, "until", e.until)});
+    reader.keys(table,
+                {number(reader, "x", e.x), number(reader, "y", e.y), number(reader, "width", e.width),
+                 number(reader, "height", e.height), number(reader, "density", e.density),
+                 number(reader, "temperature", e.temperature), number(reader, "from", e.from, unlimited),
+                 number(reader, "until", e.until, unlimited)});
     if (e.width <= 0 || e.height <= 0)
         reader.fail(table.source(), "an emitter's width and height are more than 0");
     return e;

@@ -1,15 +1,15 @@
 // Reading TOML tables with errors that say where.
 #pragma once
 
-#include <toml++/toml.h>
-
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/io/toml_text.h"
 #include "core/scene/error.h"
 #include "core/schemes/suggest.h"
 
@@ -22,19 +22,7 @@ class TomlReader {
     explicit TomlReader(std::string_view name) : name_(name) {}
 
     [[noreturn]] void fail(const toml::source_region& at, const std::string& reason) const {
-        fail(at.begin.line, at.begin.column, reason);
-    }
-    [[noreturn]] void fail(std::size_t line, std::size_t column, const std::string& reason) const {
-        throw InputError(std::string(name_) + ":" + std::to_string(line) + ":" + std::to_string(column) +
-                         ": " + reason);
-    }
-
-    toml::table parse(std::string_view text) const {
-        try {
-            return toml::parse(text, name_);
-        } catch (const toml::parse_error& e) {
-            fail(e.source(), std::string(e.description()));
-        }
+        fail_at(name_, at.begin, reason);
     }
 
     /// The node's value as `--set` would be given it.
@@ -51,9 +39,12 @@ class TomlReader {
         fail(node.source(), "expected a number, a truth or a word");
     }
 
-    double number(const toml::node& node, const std::string& key) const {
+    /// Lengths and the like, either sign, lie far within this: it is beyond any domain.
+    static constexpr double max_number = 1e5;
+    double number(const toml::node& node, const std::string& key, double most = max_number) const {
         const auto value = node.value<double>();
         if (!value || *value != *value) fail(node.source(), key + " is not a number");
+        if (std::abs(*value) > most) fail(node.source(), key + " is out of range: -100000 to 100000");
         return *value;
     }
     long integer(const toml::node& node, const std::string& key, long min, long max) const {

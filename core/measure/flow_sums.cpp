@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "core/measure/vorticity.h"
+#include "core/parallel/lanes.h"
 #include "core/pressure/row_bands.h"
 
 namespace whorl {
@@ -18,7 +18,7 @@ void add_cell(const FaceRows& rows, int i, Real quarter_over_h, FlowSums& sum) {
 
 /// The same for `count` cells, eight sums side by side whatever the instruction set, so that all give the
 /// same bits.
-struct AddCells {
+struct AddCellsLoop {
     template <int>
     WHORL_INLINE static void run(const FaceRows& rows, int count, Real quarter_over_h, FlowSums& sum) {
         constexpr int lanes = 8;
@@ -43,12 +43,12 @@ struct AddCells {
         for (; i < count; ++i) add_cell(rows, i, quarter_over_h, sum);
     }
 };
-using AddCellsFn = void (*)(const FaceRows&, int count, Real quarter_over_h, FlowSums&);
 
 }  // namespace
 
+FlowMeter::FlowMeter(Isa isa) : add_cells_(PerIsa<AddCells, AddCellsLoop>::pick(isa)) {}
+
 FlowSums FlowMeter::measure(const FaceVelocity& velocity, const Boundary& boundary, Pool& pool) {
-    static const AddCellsFn add_cells = PerIsa<AddCellsFn, AddCells>::pick(best_isa());
     const Grid& grid = boundary.grid();
     const Real quarter_over_h = static_cast<Real>(0.25 / grid.h);
     rows_.resize(static_cast<std::size_t>(grid.ny));
@@ -58,7 +58,7 @@ FlowSums FlowMeter::measure(const FaceVelocity& velocity, const Boundary& bounda
             const std::uint8_t* solid = boundary.solids().data() + static_cast<std::ptrdiff_t>(j) * grid.nx;
             FlowSums sum;
             if (!boundary.has_solids() || std::all_of(solid, solid + grid.nx, std::logical_not{})) {
-                add_cells(rows, grid.nx, quarter_over_h, sum);
+                add_cells_(rows, grid.nx, quarter_over_h, sum);
             } else {
                 for (int i = 0; i < grid.nx; ++i) {
                     if (solid[i] == 0) add_cell(rows, i, quarter_over_h, sum);

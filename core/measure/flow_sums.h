@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "core/grid/boundary.h"
+#include "core/measure/vorticity.h"
+#include "core/parallel/isa.h"
 #include "core/parallel/pool.h"
 
 namespace whorl {
@@ -27,10 +29,15 @@ struct FlowSums {
 /// result.
 class FlowMeter {
   public:
+    explicit FlowMeter(Isa isa = best_isa());
+
     /// @param velocity ghosts filled
     FlowSums measure(const FaceVelocity& velocity, const Boundary& boundary, Pool& pool);
 
   private:
+    using AddCells = void (*)(const FaceRows&, int count, Real quarter_over_h, FlowSums&);
+
+    AddCells add_cells_;
     std::vector<FlowSums> rows_;
 };
 

@@ -1,5 +1,6 @@
 #include "core/measure/spectrum.h"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -26,8 +27,11 @@ double waves(int mode, const Axis& axis, int longer) {
     return static_cast<double>(static_cast<long>(mode) * longer) / axis.period;
 }
 
+/// Doubles between rows, so that columns of 2ⁿ rows do not all meet in one set of the cache.
+constexpr int cache_line = 8;
+
 int shell(double along, double across) {
-    return static_cast<int>(std::sqrt(along * along + across * across) + 0.5);
+    return static_cast<int>(std::lround(std::sqrt(along * along + across * across)));
 }
 
 }  // namespace
@@ -86,8 +90,8 @@ void Spectrum::add(const Field& face, const Boundary& boundary) {
     Transform& t = *transform_;
     t.line.resize(longer);
     t.modes.resize(static_cast<std::size_t>(longer) / 2 + 1);
-    for (std::vector<double>* plane : {&t.real, &t.imaginary})
-        plane->resize(static_cast<std::size_t>(along.modes) * across.samples);
+    const std::size_t stride = across.samples + cache_line;
+    for (std::vector<double>* plane : {&t.real, &t.imaginary}) plane->resize(along.modes * stride);
 
     for (int b = 0; b < across.samples; ++b) {
         for (int a = 0; a < along.samples; ++a) {
@@ -102,8 +106,8 @@ void Spectrum::add(const Field& face, const Boundary& boundary) {
         }
         t.run(along.period);
         for (int mode = 0; mode < along.modes; ++mode) {
-            const std::size_t at = static_cast<std::size_t>(mode) * across.samples + b;
-            t.real[at] = t.modes[mode].real();
+            const std::size_t at = mode * stride + b;
+            if (periodic) t.real[at] = t.modes[mode].real();
             t.imaginary[at] = t.modes[mode].imag();
         }
     }
@@ -113,7 +117,7 @@ void Spectrum::add(const Field& face, const Boundary& boundary) {
     for (int mode = 0; mode < along.modes; ++mode) {
         for (const std::vector<double>* plane : {&t.real, &t.imaginary}) {
             if (!periodic && plane == &t.real) continue;
-            const double* row = plane->data() + static_cast<std::size_t>(mode) * across.samples;
+            const double* row = plane->data() + mode * stride;
             std::copy(row, row + across.samples, t.line.begin());
             if (!periodic) std::reverse_copy(row, row + across.samples, t.line.begin() + across.samples);
             t.run(across.period);

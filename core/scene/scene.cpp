@@ -9,6 +9,8 @@
 namespace whorl {
 namespace {
 
+constexpr double max_cells = 1 << 23;  // a field of them takes 32 MiB, a run some tens of fields
+
 std::string conflict_of(const SchemeSet& s, std::string_view what, const Scene& scene) {
     const std::string of = " for the " + std::string(what);
     if (s.affine() && s.interpolation != Interpolations::of<Linear>()) {
@@ -34,6 +36,10 @@ Grid Scene::grid() const {
 }
 
 std::string conflict(const Scene& scene) {
+    if (const Grid grid = scene.grid(); static_cast<double>(grid.nx) * grid.ny > max_cells) {
+        return std::to_string(grid.nx) + " × " + std::to_string(grid.ny) +
+               " cells are more than 8388608; set a lower resolution or height";
+    }
     std::string velocity = conflict_of(scene.velocity, "velocity", scene);
     if (!velocity.empty()) return velocity;
     std::string scalars = conflict_of(scene.scalars, "scalars", scene);

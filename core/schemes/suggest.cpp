@@ -28,6 +28,8 @@ std::size_t distance(std::string_view a, std::string_view b) {
 
 std::string suggestion(std::string_view word, std::span<const std::string_view> candidates) {
     constexpr std::size_t most = 3;
+    constexpr std::size_t longest = 64;  // no word of ours is; the time grows with each letter
+    word = word.substr(0, longest);
     std::vector<std::string_view> nearest(candidates.begin(), candidates.end());
     std::stable_sort(nearest.begin(), nearest.end(), [&](std::string_view a, std::string_view b) {
         return distance(word, a) < distance(word, b);

@@ -1,6 +1,7 @@
 #include "core/session/session.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/scene/digest.h"
 #include "core/scene/error.h"
@@ -167,6 +168,21 @@ Moment Session::moment() const {
 
 void Session::measure() {
     for (Place& place : lanes_) place.measures = place.lane->simulation().measures();
+    if (setup_.reference == no_reference) return;
+    const Lane& reference = *lanes_[static_cast<std::size_t>(setup_.reference)].lane;
+    if (!reference.failure()) measure_against(reference.simulation());
+}
+
+/// Where the exact solution is not known, the reference stands for it.
+void Session::measure_against(const Simulation& reference) {
+    for (Place& place : lanes_) {
+        const Simulation& s = place.lane->simulation();
+        if (&s == &reference || std::isfinite(place.measures.errors.L1) || place.lane->failure()) continue;
+        const Field& density = s.state().density;
+        if (!averaged_.same_shape(density)) averaged_ = s.state().boundary.field(Site::Centre);
+        averager_.average(reference.state().density, reference.state().boundary, s.state().grid(), averaged_);
+        place.measures.errors = errors(density, averaged_, s.state().boundary);
+    }
 }
 
 Recording Session::recording() const {

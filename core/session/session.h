@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 
+#include "core/measure/average.h"
 #include "core/session/kept_moments.h"
 #include "core/session/recording.h"
 
@@ -69,6 +70,7 @@ class Session {
     void set(const Setup& setup);
     void arrange(const Arrange& arrange);
     void measure();
+    void measure_against(const Simulation& reference);
     Moment moment() const;
 
     Pool* pool_;
@@ -81,6 +83,8 @@ class Session {
     int next_id_ = 0;
     std::vector<Place> lanes_;
     KeptMoments kept_;
+    Averager averager_;
+    Field averaged_;  ///< the reference's density on a lane's grid
 };
 
 }  // namespace whorl

@@ -13,8 +13,8 @@
 namespace whorl {
 namespace {
 
-/// Each value is rounded to Real once; sums of theirs are in double.
-constexpr double rounding = std::numeric_limits<Real>::epsilon();
+/// Each value is rounded to Real once; sums of some thousand of them are in double.
+constexpr double rounding = 1e-12 + std::numeric_limits<Real>::epsilon();
 
 constexpr double side = 6;  // length of a square domain
 

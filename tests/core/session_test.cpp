@@ -232,6 +232,34 @@ TEST(Session, KeepsWithinItsMemory) {
     EXPECT_EQ(kept.before(5).second, nullptr);
 }
 
+TEST(Session, AFineLaneIsTheTruthWhereNoneIsKnown) {
+    Pool pool(1);
+    Session session({.setup = {plume(), {LaneSetup{}, LaneSetup{.refine = 4}, LaneSetup{}}, 1}}, pool);
+    go(session, 40);
+    EXPECT_TRUE(std::isnan(session.measures(1).errors.L1)) << "it is not measured against itself";
+    EXPECT_EQ(session.measures(0).errors.L2, session.measures(2).errors.L2);
+    // By hand: the mean of 4 × 4 cells.
+    const Field& fine = session.lane(1).simulation().state().density;
+    const Field& coarse = session.lane(0).simulation().state().density;
+    double sum = 0;
+    for (int j = 0; j < coarse.height(); ++j) {
+        for (int i = 0; i < coarse.width(); ++i) {
+            double mean = 0;
+            for (int k = 0; k < 16; ++k) mean += static_cast<double>(fine(4 * i + k % 4, 4 * j + k / 4)) / 16;
+            sum += std::abs(static_cast<double>(coarse(i, j)) - mean);
+        }
+    }
+    sum *= session.lane(0).simulation().state().grid().cell();
+    EXPECT_NEAR(session.measures(0).errors.L1 / sum, 1, 1e-5) << "single precision, summed in another order";
+    // An exact solution is a better truth.
+    const Scene known = scene_of(experiment("translation"));
+    Session exact({.setup = {known, {LaneSetup{}, LaneSetup{.refine = 2}}, 1}}, pool);
+    do exact.step();
+    while (exact.step_number() < known.steps && std::isnan(exact.lane(0).simulation().measures().errors.L1));
+    ASSERT_TRUE(std::isfinite(exact.lane(0).simulation().measures().errors.L1));
+    EXPECT_EQ(exact.measures(0).errors.L1, exact.lane(0).simulation().measures().errors.L1);
+}
+
 TEST(Session, OtherLanesGoOnWhenOneStops) {
     Pool pool(1);
     Session session({.setup = {plume(), {LaneSetup{}, LaneSetup{}}}}, pool);

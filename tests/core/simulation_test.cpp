@@ -128,7 +128,8 @@ TEST(Lane, StopsAtANumberThatIsNotOneAndStartsAnew) {
     Lane lane(plume({"resolution=16"}), pool);
     ASSERT_TRUE(lane.step());
     lane.simulation().apply(SmokeStroke{.along = {20, 20, 20, 20}, .radius = 3, .density = std::nan("")});
-    lane.simulation().apply(SmokeStroke{.along = {20, 20, 20, 20}, .radius = 3, .density = 1, .temperature = INFINITY});
+    lane.simulation().apply(
+        SmokeStroke{.along = {20, 20, 20, 20}, .radius = 3, .density = 1, .temperature = INFINITY});
     EXPECT_FALSE(lane.step());
     ASSERT_TRUE(lane.failure());
     EXPECT_NE(lane.failure()->find("step 2: "), std::string::npos) << *lane.failure();

@@ -15,8 +15,8 @@ namespace {
 
 /// Rounding of sums of some thousand doubles, over their sum.
 constexpr double rounding = 1e-12;
-/// Of samples rounded to Real, twice for a square.
-constexpr double sample_rounding = 4 * std::numeric_limits<Real>::epsilon();
+/// That, and of samples rounded to Real, twice for a square.
+constexpr double sample_rounding = rounding + 4 * std::numeric_limits<Real>::epsilon();
 
 constexpr Sides::Id both_sides[] = {Sides::of<Box>(), Sides::of<Periodic>()};
 
