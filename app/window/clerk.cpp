@@ -38,6 +38,7 @@ void Clerk::take_wishes(PanelContext& context) {
     if (files.make_film && !film_.busy()) wishes_.film = files.make_film;
     files.make_film.reset();
     if (saving_ || (!wishes_.picture && !wishes_.run && !wishes_.film)) return;
+    if (context.remote.sought()) return;  // it is about the step that is on its way
     saving_ = true;
     context.remote.save();
 }
