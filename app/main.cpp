@@ -16,8 +16,7 @@ using namespace whorl::app;
 
 int open_window(const WindowArguments& a) {
     WindowOptions options;
-    options.recording = find_run(a.scene);
-    apply_settings(options.recording.setup.scene, a.set);
+    options.recording = recording_for(a.scene, a.lanes, a.set);
     options.name = a.scene;
     options.threads = a.threads;
     options.content_scale = a.content_scale;
@@ -37,6 +36,8 @@ int act(const Arguments& arguments) {
                 return run_scene(a);
             } else if constexpr (std::is_same_v<A, ExperimentArguments>) {
                 return run_experiment(a);
+            } else if constexpr (std::is_same_v<A, CompareArguments>) {
+                return run_compare(a);
             } else if constexpr (std::is_same_v<A, ConvergeArguments>) {
                 return run_converge(a);
             } else if constexpr (std::is_same_v<A, ListArguments>) {

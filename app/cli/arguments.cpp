@@ -20,6 +20,7 @@ constexpr const char* examples =
     "  whorl                                   the rising plume, in a window\n"
     "  whorl run plume --steps 480 --picture plume.png --set advector=aslam\n"
     "  whorl experiment rotation --set advector=aslam --at 600,1200\n"
+    "  whorl compare plume --lanes thesis-five --out sheet.png\n"
     "  whorl converge rotation --set advector=aslam --resolutions 40,80,160\n"
     "  whorl list parameters";
 
@@ -36,19 +37,37 @@ void add_threads(CLI::App& verb, int& threads) {
         ->check(CLI::Range(1, 256));
 }
 
-void add_outputs(CLI::App& verb, RunArguments& run) {
-    verb.add_option("--csv", run.csv, "write a row a step; - is standard output")->type_name("FILE|-");
-    verb.add_option("--picture", run.picture, "draw the last step as a PNG")->type_name("FILE.png");
-    verb.add_option("--view", run.view, "what the picture shows")->type_name("VIEW");
-    verb.add_option("--map", run.map, "colours of the picture")->type_name("MAP");
-    verb.add_option("--range", run.range, "values at the ends of the colours; else all that occur")
+void add_draw(CLI::App& verb, DrawArguments& draw) {
+    verb.add_option("--view", draw.view, "what the picture shows")->type_name("VIEW");
+    verb.add_option("--map", draw.map, "colours of the picture")->type_name("MAP");
+    verb.add_option("--range", draw.range, "values at the ends of the colours; else all that occur")
         ->type_name("LO,HI");
-    verb.add_option("--width", run.width, "pixels across the field")
+    verb.add_option("--width", draw.width, "pixels across a field")
         ->type_name("N")
         ->check(CLI::Range(100, 8000));
-    verb.add_flag("--light", run.light, "dark on white, for paper");
-    verb.add_flag("--crisp", run.crisp, "cells as squares of one colour");
+    verb.add_option("--scale", draw.scale, "size of letters and lines; else what suits the width")
+        ->type_name("S")
+        ->check(CLI::Range(0.5, 8.0));
+    verb.add_flag("--light", draw.light, "dark on white, for paper");
+    verb.add_flag("--crisp", draw.crisp, "cells as squares of one colour");
 }
+
+void add_outputs(CLI::App& verb, RunArguments& run) {
+    verb.add_option("--csv", run.csv, "write a row a step; - is standard output")->type_name("FILE|-");
+    verb.add_option("--picture", run.picture,
+                    "draw the last step as a PNG, which `whorl FILE.png` opens again")
+        ->type_name("FILE.png");
+    add_draw(verb, run.draw);
+}
+
+void add_lanes(CLI::App& verb, std::string& lanes) {
+    verb.add_option("--lanes", lanes, "run these side by side; `whorl list comparisons` shows them")
+        ->type_name("KEY|FILE");
+}
+
+constexpr const char* scene_help =
+    "a preset, an experiment, a file of a scene or a run, or a picture of Whorl's";
+constexpr const char* scene_type = "PRESET|FILE";
 
 /// "40,80,160" as numbers.  @throws InputError
 std::vector<int> whole_numbers(const std::string& option, const std::string& text) {
@@ -75,9 +94,9 @@ Arguments parse_arguments(int argc, char** argv) {
     app.set_version_flag("--version", "whorl " WHORL_VERSION);
 
     WindowArguments window;
-    app.add_option("scene", window.scene, "a preset, an experiment or a scene file")
-        ->type_name("PRESET|FILE.toml");
+    app.add_option("scene", window.scene, scene_help)->type_name(scene_type);
     add_set(app, window.set);
+    add_lanes(app, window.lanes);
     add_threads(app, window.threads);
     app.add_option("--size", window.size, "size of the window")->type_name("WxH");
     app.add_option("--trace", window.trace, "append what happens, for tests")->type_name("FILE")->group("");
@@ -85,15 +104,42 @@ Arguments parse_arguments(int argc, char** argv) {
 
     RunArguments run;
     CLI::App* run_verb = app.add_subcommand("run", "run a scene without a window");
-    run_verb->add_option("scene", run.scene, "a preset, an experiment or a scene file")
-        ->type_name("PRESET|FILE.toml")
-        ->required();
-    run_verb->add_option("--steps", run.steps, "how many steps; else the scene's own")->type_name("N");
+    run_verb->add_option("scene", run.scene, scene_help)->type_name(scene_type)->required();
+    run_verb
+        ->add_option("--steps", run.steps,
+                     "how many steps; else up to where it was recorded, or the scene's own")
+        ->type_name("N");
     add_set(*run_verb, run.set);
+    add_lanes(*run_verb, run.lanes);
     add_outputs(*run_verb, run);
     run_verb->add_option("--timing", run.timing, "write the median ms of each phase; - is standard output")
         ->type_name("FILE|-");
+    run_verb->add_option("--save", run.save, "write the run itself")->type_name("FILE.toml");
+    run_verb->add_option("--animate", run.animate, "make a film; MP4 and GIF need ffmpeg")
+        ->type_name("FILE.mp4|FILE.gif|%04d.png");
+    run_verb->add_option("--every", run.every, "steps between two frames of the film")
+        ->type_name("N")
+        ->check(CLI::Range(1, 100000));
+    run_verb->add_option("--fps", run.fps, "frames of the film a second")
+        ->type_name("N")
+        ->check(CLI::Range(1, 240));
+    run_verb->add_flag("--digest", run.digest, "print a number made from every bit of the fields");
     add_threads(*run_verb, run.threads);
+
+    CompareArguments compare;
+    std::string compare_at = "120,240,360,480,600";
+    CLI::App* compare_verb = app.add_subcommand(
+        "compare", "a contact sheet: a row a step, a column a lane, as the thesis' figure 5.21");
+    compare_verb->add_option("scene", compare.scene, scene_help)->type_name(scene_type)->required();
+    add_lanes(*compare_verb, compare.lanes);
+    compare_verb->add_option("--at", compare_at, "steps to show; 120,240,360,480,600 if not given")
+        ->type_name("STEP,STEP...");
+    compare_verb->add_option("--out", compare.out, "the sheet")->type_name("FILE.png");
+    compare_verb->add_option("--csv", compare.csv, "write a row a step and lane; - is standard output")
+        ->type_name("FILE|-");
+    add_set(*compare_verb, compare.set);
+    add_draw(*compare_verb, compare.draw);
+    add_threads(*compare_verb, compare.threads);
 
     ExperimentArguments experiment;
     std::string at;
@@ -141,6 +187,10 @@ Arguments parse_arguments(int argc, char** argv) {
     if (experiment_verb->parsed()) {
         if (!at.empty()) experiment.at = whole_numbers("--at", at);
         return experiment;
+    }
+    if (compare_verb->parsed()) {
+        compare.at = whole_numbers("--at", compare_at);
+        return compare;
     }
     if (converge_verb->parsed()) {
         converge.resolutions = whole_numbers("--resolutions", resolutions);

@@ -9,26 +9,49 @@
 
 namespace whorl::app {
 
-/// `whorl [PRESET|FILE.toml]`
+/// `whorl [PRESET|FILE]`
 struct WindowArguments {
     std::string scene = "plume";
     std::vector<std::string> set;
-    int threads = 0;  ///< 0 takes one a core
+    std::string lanes;  ///< comparison or file; empty for the scene's own
+    int threads = 0;    ///< 0 takes one a core
     std::string size;
     std::string trace;
     double content_scale = 0;
 };
 
-/// `whorl run PRESET|FILE.toml`, and `whorl experiment NAME`
+/// How to draw.
+struct DrawArguments {
+    std::string view = "density", map, range;
+    int width = 0;    ///< 0 takes what suits the number of fields
+    float scale = 0;  ///< 0 takes what suits the width
+    bool light = false, crisp = false;
+};
+
+/// `whorl run PRESET|FILE`, and `whorl experiment NAME`
 struct RunArguments {
     std::string scene;
     std::vector<std::string> set;
+    std::string lanes;  ///< comparison or file; empty for the scene's own
     std::optional<int> steps;
     std::vector<int> at;
     std::string csv, picture, timing;  ///< files; empty for none, `-` for standard output
-    std::string view = "density", map, range;
-    int width = 900;
-    bool light = false, crisp = false;
+    std::string save;                  ///< file that the run is written to
+    std::string animate;               ///< film; empty for none
+    int every = 2, fps = 30;           ///< steps a frame, frames a second
+    bool digest = false;
+    DrawArguments draw;
+    int threads = 0;
+};
+
+/// `whorl compare PRESET|FILE`
+struct CompareArguments {
+    std::string scene;
+    std::vector<std::string> set;
+    std::string lanes;
+    std::vector<int> at;
+    std::string out, csv;
+    DrawArguments draw;
     int threads = 0;
 };
 
@@ -48,8 +71,8 @@ struct ListArguments {
 struct ExperimentArguments : RunArguments {};
 
 /// What was asked for, or the exit code where all has been said (`--help`, a wrong option).
-using Arguments =
-    std::variant<int, WindowArguments, RunArguments, ExperimentArguments, ConvergeArguments, ListArguments>;
+using Arguments = std::variant<int, WindowArguments, RunArguments, ExperimentArguments, CompareArguments,
+                               ConvergeArguments, ListArguments>;
 
 /// @throws InputError for a list that is not one
 Arguments parse_arguments(int argc, char** argv);

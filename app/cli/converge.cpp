@@ -24,7 +24,7 @@ void check_nested(const std::vector<int>& resolutions) {
 }
 
 Errors errors_at(const ConvergeArguments& arguments, int resolution, Pool& pool) {
-    Scene scene = scene_of(experiment(arguments.experiment));
+    Scene scene = experiment_scene(arguments.experiment);
     std::vector<std::string> settings = arguments.set;
     settings.push_back("resolution=" + std::to_string(resolution));
     apply_settings(scene, settings);
@@ -39,11 +39,11 @@ Errors errors_at(const ConvergeArguments& arguments, int resolution, Pool& pool)
 
 /// Before a long run: whether there will be anything to compare with at its end.
 void check_exact(const ConvergeArguments& arguments) {
-    const Experiment& e = experiment(arguments.experiment);
+    Scene scene = experiment_scene(arguments.experiment);
+    const Experiment& e = experiment(scene.experiment);
     if (e.exact == nullptr) {
         throw InputError(arguments.experiment + " has no exact solution, so there is no error to converge");
     }
-    Scene scene = scene_of(e);
     apply_settings(scene, arguments.set);
     Field exact = Boundary(scene.grid(), scene.sides).field(Site::Centre);
     if (!e.exact(scene.steps * scene.dt, scene.dt, scene.grid(), exact)) {
@@ -68,7 +68,7 @@ int run_converge(const ConvergeArguments& arguments) {
     int coarse = 0;
     for (const int resolution : arguments.resolutions) {
         const Errors e = errors_at(arguments, resolution, pool);
-        const double h = scene_of(experiment(arguments.experiment)).width / resolution;
+        const double h = experiment_scene(arguments.experiment).width / resolution;
         const auto rate = [&](double before, double now) {
             char text[16] = "-";
             if (coarse > 0) {

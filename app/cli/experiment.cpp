@@ -22,7 +22,7 @@ void write_row(Series& csv, const Measures& m) {
 }  // namespace
 
 int run_experiment(const ExperimentArguments& arguments) {
-    Scene scene = scene_of(experiment(arguments.scene));
+    Scene scene = experiment_scene(arguments.scene);
     apply_settings(scene, arguments.set);
     const std::vector<int>& at = arguments.at;
     if (!at.empty() && arguments.steps) throw InputError("--at and --steps both say where to end; give one");
@@ -31,10 +31,12 @@ int run_experiment(const ExperimentArguments& arguments) {
     if (steps < 0 || std::any_of(at.begin(), at.end(), [](int step) { return step < 0; })) {
         throw InputError("a step is a whole number, 0 or more");
     }
-    PictureOutput picture(arguments);
+    if (!arguments.picture.empty()) check_picture("--picture", arguments.picture);
+    std::optional<Drawing> drawing;
+    if (!arguments.picture.empty()) drawing.emplace(arguments.draw);
 
     Pool pool(arguments.threads);
-    Lane lane(scene, pool);
+    Session session({.setup = {.scene = scene}}, pool);
     std::optional<Series> csv;
     // Rows are what an experiment is run for: they go to standard output unless something else was asked for.
     const std::string file = arguments.csv.empty() && arguments.picture.empty() ? "-" : arguments.csv;
@@ -42,14 +44,19 @@ int run_experiment(const ExperimentArguments& arguments) {
     {
         Progress progress(arguments.scene, steps);
         for (int step = 0; step <= steps; ++step) {
-            if (step > 0 && !lane.step()) throw NotFinite(*lane.failure());
+            if (step > 0) session.step();
+            if (!session.sound()) throw NotFinite(*session.lane(0).failure());
             const bool wanted = at.empty() ? step > 0 : std::find(at.begin(), at.end(), step) != at.end();
-            if (csv && wanted) write_row(*csv, lane.simulation().measures());
+            if (csv && wanted) write_row(*csv, session.measures(0));
             progress.at(step);
         }
     }
     if (csv) csv->finish();
-    picture.write(lane, pool);
+    if (drawing) {
+        SessionSnapshot last;
+        take_snapshot(session, last, pool, last);
+        write_picture(arguments.picture, drawing->draw({&last, 1}), session.recording());
+    }
     return 0;
 }
 

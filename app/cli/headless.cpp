@@ -4,9 +4,14 @@
 #include <cstdio>
 #include <optional>
 
-#include "app/views/views.h"
+#include "app/scenes/comparisons.h"
+#include "app/scenes/files.h"
+#include "app/scenes/presets.h"
+#include "app/views/session_picture.h"
 #include "app/window/egl_context.h"
+#include "core/experiments/experiment.h"
 #include "core/io/png.h"
+#include "core/io/run_file.h"
 #include "core/io/whole_file.h"
 #include "core/scene/error.h"
 #include "core/scene/parameters.h"
@@ -15,7 +20,7 @@
 namespace whorl::app {
 namespace {
 
-const ColourMap* map_of(const RunArguments& arguments) {
+const ColourMap* map_of(const DrawArguments& arguments) {
     if (arguments.map.empty()) {
         // On paper what grows from 0 goes from white to black, as in the thesis.
         return arguments.light && view(arguments.view).middle == nullptr ? find_colour_map("white-black")
@@ -28,7 +33,7 @@ const ColourMap* map_of(const RunArguments& arguments) {
 }
 
 /// "0,0.5" as a range.
-std::optional<Range> range_of(const RunArguments& arguments) {
+std::optional<Range> range_of(const DrawArguments& arguments) {
     if (arguments.range.empty()) return std::nullopt;
     const char* const end = arguments.range.data() + arguments.range.size();
     Range range{};
@@ -48,43 +53,62 @@ void apply_settings(Scene& scene, const std::vector<std::string>& settings) {
     if (!reason.empty()) throw InputError(reason);
 }
 
-struct PictureOutput::Canvas {
+Scene experiment_scene(const std::string& name) {
+    return names_file(name) ? find_run(name).setup.scene : scene_of(experiment(name));
+}
+
+Recording recording_for(const std::string& scene, const std::string& lanes,
+                        const std::vector<std::string>& settings) {
+    Recording recording = find_run(scene);
+    Setup& setup = recording.setup;
+    for (const std::string& setting : settings) set_parameter(setup.scene, setting);
+    if (!lanes.empty()) {
+        Lanes others = find_lanes(lanes);
+        setup.lanes = std::move(others.lanes);
+        setup.reference = others.reference;
+    }
+    lane_scenes(setup);
+    const bool changed = !lanes.empty() || !settings.empty();
+    if (changed) recording.digest = 0;
+    return recording;
+}
+
+void check_picture(const std::string& option, const std::string& file) {
+    if (!file.ends_with(".png"))
+        throw InputError(option + " = " + file + ": pictures are PNG; give a name that ends in .png");
+    check_writable(file);
+}
+
+struct Drawing::Canvas {
     EglContext context;
     PictureRenderer renderer;
 };
 
-PictureOutput::PictureOutput(const RunArguments& arguments) : arguments_(arguments) {
+Drawing::Drawing(const DrawArguments& arguments) : arguments_(arguments) {
     view(arguments.view);
     map_of(arguments);
     range_of(arguments);
-    if (!arguments.picture.empty() && !arguments.picture.ends_with(".png")) {
-        throw InputError("--picture = " + arguments.picture +
-                         ": pictures are PNG; give a name that ends in .png");
-    }
-    if (arguments.picture.empty() && (arguments.view != "density" || !arguments.map.empty())) {
-        throw InputError("--view and --map are of the picture; give --picture FILE.png too");
-    }
-    for (const std::string& file : {arguments.csv, arguments.timing, arguments.picture}) {
-        if (!file.empty() && file != "-") check_writable(file);
-    }
-    if (!arguments.picture.empty()) canvas_ = std::make_unique<Canvas>();
+    canvas_ = std::make_unique<Canvas>();
 }
 
-PictureOutput::~PictureOutput() = default;
+Drawing::~Drawing() = default;
 
-void PictureOutput::write(const Lane& lane, Pool& pool) {
-    if (!canvas_) return;
-    Snapshot snapshot;
-    take_snapshot(lane, pool, snapshot);
-    const std::optional<Range> range = range_of(arguments_);
+Image Drawing::draw(std::span<const SessionSnapshot> rows, const Range* range) {
+    const std::optional<Range> asked = range_of(arguments_);
     const PictureStyle style{.view = &view(arguments_.view),
                              .map = map_of(arguments_),
-                             .range = range ? &*range : nullptr,
+                             .range = asked ? &*asked : range,
                              .crisp = arguments_.crisp,
                              .light = arguments_.light,
-                             .width = arguments_.width};
-    write_png(arguments_.picture, picture_of(snapshot, style, canvas_->renderer));
-    say_written("picture", arguments_.picture);
+                             .width = arguments_.width,
+                             .scale = arguments_.scale};
+    return picture_of(rows, style, canvas_->renderer);
+}
+
+void write_picture(const std::string& file, const Image& image, const Recording& recording) {
+    const TextChunk text[] = {{"Software", "Whorl " WHORL_VERSION}, {run_chunk, write_run(recording)}};
+    write_png(file, image, text);
+    say_written("picture", file);
 }
 
 void say_written(const std::string& what, const std::string& file) {

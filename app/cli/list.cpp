@@ -5,6 +5,7 @@
 
 #include "app/cli/verbs.h"
 #include "app/render/colour_map.h"
+#include "app/scenes/comparisons.h"
 #include "app/scenes/presets.h"
 #include "core/experiments/experiment.h"
 #include "core/scene/error.h"
@@ -58,6 +59,17 @@ std::vector<Row> preset_rows() {
     return rows;
 }
 
+std::vector<Row> comparison_rows() {
+    std::vector<Row> rows;
+    for (const Comparison& c : comparisons()) {
+        const Lanes lanes = c.lanes();
+        std::string names;
+        for (const LaneSetup& lane : lanes.lanes) names += (names.empty() ? "" : ", ") + lane.name;
+        rows.push_back({std::string(c.key), lanes.title, names});
+    }
+    return rows;
+}
+
 std::vector<Row> experiment_rows() {
     std::vector<Row> rows;
     for (const Experiment& e : experiments()) {
@@ -97,6 +109,7 @@ struct Listing {
 
 constexpr Listing listings[] = {
     {"presets", preset_rows},
+    {"comparisons", comparison_rows},
     {"experiments", experiment_rows},
     {"advectors", [] { return choice_rows("advector"); }},
     {"bases", [] { return choice_rows("base"); }},

@@ -12,6 +12,9 @@ int run_scene(const RunArguments& arguments);
 /// Runs an experiment and reports its errors.  @throws as run_scene
 int run_experiment(const ExperimentArguments& arguments);
 
+/// Draws a contact sheet of several lanes at several steps.  @throws as run_scene
+int run_compare(const CompareArguments& arguments);
+
 /// Prints errors and rates of an experiment on ever finer grids.  @throws as run_scene
 int run_converge(const ConvergeArguments& arguments);
 

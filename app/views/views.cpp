@@ -103,33 +103,42 @@ std::string bar_label(const View& view) {
     return std::string(view.label) + "  " + std::string(view.unit);
 }
 
-Image picture_of(const Snapshot& snapshot, const PictureStyle& style, PictureRenderer& renderer) {
-    Field scratch;
-    const Field* field = style.view->field(snapshot, scratch);
-    if (field == nullptr) {
-        const std::string_view when = experiment(snapshot.scene.experiment).known;
-        const std::string known = when.empty() ? "" : "; the exact solution is known " + std::string(when);
-        throw InputError("there is no " + std::string(style.view->key) + " to show at step " +
-                         std::to_string(snapshot.measures.step) + " of " + snapshot.scene.experiment + known);
-    }
-    const Range range = style.range ? *style.range : style.view->automatic_range(snapshot, *field);
+const Field& field_of(const View& view, const Snapshot& snapshot, Field& scratch) {
+    if (const Field* field = view.field(snapshot, scratch)) return *field;
+    const std::string_view when = experiment(snapshot.scene.experiment).known;
+    const std::string known = when.empty() ? "" : "; the exact solution is known " + std::string(when);
+    throw InputError("there is no " + std::string(view.key) + " to show at step " +
+                     std::to_string(snapshot.measures.step) + " of " + snapshot.scene.experiment + known);
+}
+
+SheetRequest request(const PictureStyle& style, Range range, bool several) {
     SheetRequest sheet;
-    SheetCell& cell = sheet.rows.emplace_back().cells.emplace_back();
-    cell.field = field;
-    cell.solids = snapshot.solids;
-    cell.arrows = style.arrows ? &snapshot.velocity : nullptr;
-    cell.cells = {snapshot.grid.nx, snapshot.grid.ny};
     sheet.map = style.map ? style.map : find_colour_map(style.view->map);
     sheet.lo = range.lo;
     sheet.hi = range.hi;
-    sheet.title = snapshot.scene.title;
     sheet.label = bar_label(*style.view);
-    sheet.caption = caption(snapshot);
     sheet.crisp = style.crisp;
     sheet.light = style.light;
-    sheet.scale =
-        std::clamp(static_cast<float>(style.width) / SheetRequest{}.cell_width, 1.0f, largest_sheet_scale);
-    sheet.cell_width = static_cast<float>(style.width) / sheet.scale;
+    constexpr float one_of_several = 300;  // points
+    const float usual = several ? one_of_several : SheetRequest{}.cell_width;
+    const float suits = style.width > 0 ? static_cast<float>(style.width) / usual : 1;
+    sheet.scale = style.scale > 0 ? style.scale : std::clamp(suits, 1.0f, largest_sheet_scale);
+    sheet.cell_width = style.width > 0 ? static_cast<float>(style.width) / sheet.scale : usual;
+    return sheet;
+}
+
+Image picture_of(const Snapshot& snapshot, const PictureStyle& style, PictureRenderer& renderer) {
+    Field scratch;
+    const Field& field = field_of(*style.view, snapshot, scratch);
+    SheetRequest sheet =
+        request(style, style.range ? *style.range : style.view->automatic_range(snapshot, field), false);
+    SheetCell& cell = sheet.rows.emplace_back().cells.emplace_back();
+    cell.field = &field;
+    cell.solids = snapshot.solids;
+    cell.arrows = style.arrows ? &snapshot.velocity : nullptr;
+    cell.cells = {snapshot.grid.nx, snapshot.grid.ny};
+    sheet.title = snapshot.scene.title;
+    sheet.caption = caption(snapshot);
     return renderer.render(sheet);
 }
 

@@ -54,8 +54,16 @@ struct PictureStyle {
     bool crisp = false;
     bool light = false;
     bool arrows = false;
-    int width = 900;
+    int width = 0;    ///< of a field, about, pixels; 0 takes what suits their number
+    float scale = 0;  ///< of letters and lines; 0 takes what suits the width
 };
+
+/// The view's field of a snapshot, computed into `scratch` where the snapshot does not hold it.
+/// @throws InputError if it has none
+const Field& field_of(const View& view, const Snapshot& snapshot, Field& scratch);
+
+/// An empty sheet in a style, for one field or for several.
+SheetRequest request(const PictureStyle& style, Range range, bool several);
 
 /// Draws a snapshot with its colour bar and caption.  Needs a current OpenGL context, see PictureRenderer.
 /// @throws InputError if the view has no field in this snapshot

@@ -15,6 +15,14 @@ std::string figure(double value) {
     return buffer;
 }
 
+/// A text as a field of CSV: in quotes where it holds what ends one.
+std::string field(std::string_view text) {
+    if (text.find_first_of(",\"\r\n") == text.npos) return std::string(text);
+    std::string quoted = "\"";
+    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return quoted + '"';
+}
+
 }  // namespace
 
 Series::Series(const std::filesystem::path& path, std::string_view header) {
@@ -37,8 +45,10 @@ void Series::row(std::span<const double> values) {
     put(std::move(line));
 }
 
-void Series::row(std::string_view name, double value) {
-    put(std::string(name) + ',' + figure(value));
+void Series::row(std::string_view name, std::span<const double> values) {
+    std::string line = field(name);
+    for (const double value : values) line += ',' + figure(value);
+    put(std::move(line));
 }
 
 void Series::finish() {

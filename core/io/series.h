@@ -17,7 +17,9 @@ class Series {
 
     /// One row; numbers that are not finite leave their column empty.
     void row(std::span<const double> values);
-    void row(std::string_view name, double value);
+    /// One that begins with a name.
+    void row(std::string_view name, std::span<const double> values);
+    void row(std::string_view name, double value) { row(name, {&value, 1}); }
     /// Completes the file.  @throws std::runtime_error as the constructor; the file is then not there
     void finish();
 
