@@ -44,7 +44,7 @@ std::optional<double> draw_budget(PanelContext& context, float height) {
         {"projection", colours[1], lane.of(z ? Track::EnstrophyByProjection : Track::EnergyByProjection)},
         {"advection", colours[0], lane.of(z ? Track::EnstrophyByAdvection : Track::EnergyByAdvection)}};
     for (Series& part : parts) part.x = lane.steps;
-    const std::string& name = context.measures.titles.of(moment.setup)[place];
+    const std::string& name = context.names.name(place);
     const std::string title = std::string(z ? "Enstrophy" : "Energy") + " a step" +
                               (moment.lanes.size() > 1 ? " · " + name : std::string());
     Plot plot;
@@ -65,11 +65,11 @@ std::optional<double> draw_budget(PanelContext& context, float height) {
 
 std::optional<double> draw_viscosity(PanelContext& context, float height) {
     const SessionSnapshot& moment = context.remote.session();
-    const std::vector<std::string>& titles = context.measures.titles.of(moment.setup);
     std::vector<Series> series;
     for (std::size_t k = 0; k < moment.lanes.size(); ++k) {
         const LaneHistory& lane = context.history.lane(moment.ids[k]);
-        Series one{titles[k], context.theme.lane(static_cast<int>(k)), lane.of(Track::EffectiveViscosity)};
+        Series one{context.names.name(k), context.theme.lane(static_cast<int>(k)),
+                   lane.of(Track::EffectiveViscosity)};
         one.x = lane.steps;
         series.push_back(one);
     }

@@ -18,8 +18,11 @@ constexpr Row mouse[] = {
     {"Shift-drag", "paint an obstacle"},
     {"Ctrl-drag", "erase obstacles"},
     {"Wheel", "radius of the brush"},
+    {"Ctrl+wheel, + and -", "closer, and away"},
+    {"Middle-drag, Alt-drag", "move what is shown"},
     {"Rest on a control", "what it does, and where it comes from"},
     {"Ctrl+click a slider", "type a value"},
+    {"Right-click a control", "back to the value of all lanes"},
     {"Drop a file", "open a scene, a run or a picture of Whorl"},
 };
 constexpr Row keys[] = {
@@ -29,6 +32,8 @@ constexpr Row keys[] = {
     {"← →", "a step back, a step on"},
     {"Home, End", "the run's first and last step"},
     {"1 – 9", "presets"},
+    {"0", "the whole domain"},
+    {"Tab", "hold: the other lane, where one is shown"},
     {"Ctrl+O", "open a scene, a run or a picture"},
     {"Ctrl+S", "save the run"},
     {"F12", "picture as PNG, which carries the run"},

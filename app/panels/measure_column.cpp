@@ -53,7 +53,6 @@ void figures_line(PanelContext& context) {
 void lane_legend(PanelContext& context) {
     const Theme& theme = context.theme;
     const SessionSnapshot& moment = context.remote.session();
-    const std::vector<std::string>& titles = context.measures.titles.of(moment.setup);
     ImGui::PushFont(theme.small);
     const float side = theme.px(9);
     const float pad = theme.px(5);
@@ -62,7 +61,7 @@ void lane_legend(PanelContext& context) {
     const float right = left + ImGui::GetContentRegionAvail().x;
     ImVec2 at = ImGui::GetCursorScreenPos();
     for (std::size_t k = 0; k < moment.lanes.size(); ++k) {
-        const std::string title = fitted(titles[k], right - left - side - 3 * pad);
+        const std::string title = fitted(context.names.name(k), right - left - side - 3 * pad);
         const float width = ImGui::CalcTextSize(title.c_str()).x + side + 3 * pad;
         if (at.x > left && at.x + width > right) at = {left, at.y + height + theme.px(2)};
         ImGui::SetCursorScreenPos(at);
@@ -73,9 +72,10 @@ void lane_legend(PanelContext& context) {
         const bool hovered = ImGui::IsItemHovered();
         const std::string key = "legend-lane=" + std::to_string(k);
         context.trace.control(key);
-        context.help.item(theme, key,
-                          {titles[k], "Click to select the lane: the budget and the figures above are its.",
-                           "", "", moment.lanes[k].failure ? "It has stopped." : ""});
+        context.help.item(
+            theme, key,
+            {context.names.name(k), "Click to select the lane: the budget and the figures above are its.", "",
+             "", moment.lanes[k].failure ? "It has stopped." : ""});
         ImDrawList& list = *ImGui::GetWindowDrawList();
         if (selected || hovered)
             list.AddRectFilled(at, {at.x + width, at.y + height}, theme.palette.frame, theme.px(4));

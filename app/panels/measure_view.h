@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "app/panels/history.h"
-#include "app/panels/lane_titles.h"
 #include "app/panels/spectra.h"
 
 namespace whorl::app {
@@ -16,7 +15,6 @@ struct MeasureView {
     Track norm = Track::L2;        ///< of the errors, where each lane has one curve
     bool of_enstrophy = false;     ///< the budget's quantity, else energy
     std::optional<double> marker;  ///< x of the plot sample under the pointer, a hairline in the others
-    LaneTitles titles;
     Spectra spectra;
 };
 

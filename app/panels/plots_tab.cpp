@@ -101,7 +101,7 @@ std::string title_of(const Chart& chart, const SessionSnapshot& moment, const Me
 }
 
 std::vector<Line> lines_of(const Chart& chart, const History& history, const SessionSnapshot& moment,
-                           MeasureView& view) {
+                           const LaneNames& names, const MeasureView& view) {
     std::vector<Line> lines;
     if (moment.lanes.size() == 1) {
         const LaneHistory& lane = history.lane(moment.ids.front());
@@ -109,11 +109,10 @@ std::vector<Line> lines_of(const Chart& chart, const History& history, const Ses
             lines.push_back({curve.label, static_cast<int>(lines.size()), lane.steps, lane.of(curve.track)});
         return lines;
     }
-    const std::vector<std::string>& titles = view.titles.of(moment.setup);
     const Track track = chosen_curve(chart, view).track;
     for (std::size_t k = 0; k < moment.lanes.size(); ++k) {
         const LaneHistory& lane = history.lane(moment.ids[k]);
-        lines.push_back({titles[k], static_cast<int>(k), lane.steps, lane.of(track)});
+        lines.push_back({names.name(k), static_cast<int>(k), lane.steps, lane.of(track)});
     }
     return lines;
 }
@@ -148,7 +147,7 @@ std::optional<Interval> range_of(const Chart& chart, const std::vector<Line>& li
 
 std::optional<double> draw(PanelContext& context, const Chart& chart, float height) {
     const SessionSnapshot& moment = context.remote.session();
-    const std::vector<Line> lines = lines_of(chart, context.history, moment, context.measures);
+    const std::vector<Line> lines = lines_of(chart, context.history, moment, context.names, context.measures);
     std::vector<Series> series;
     for (const Line& line : lines) {
         Series one{line.label, context.theme.lane(line.colour), line.y};
@@ -244,7 +243,10 @@ void draw_plots_tab(PanelContext& context) {
     context.measures.marker = hovered;
 }
 
-std::vector<SheetPlot> plots_of(const History& history, const SessionSnapshot& moment, MeasureView& view) {
+std::vector<SheetPlot> plots_of(const History& history, const SessionSnapshot& moment,
+                                const MeasureView& view) {
+    LaneNames names;
+    names.update(moment.setup);
     std::vector<SheetPlot> plots;
     for (const Chart* chart : charts_for(moment)) {
         if (chart->scale == Scale::Milliseconds) continue;
@@ -252,7 +254,7 @@ std::vector<SheetPlot> plots_of(const History& history, const SessionSnapshot& m
         plot.title = title_of(*chart, moment, view);
         plot.unit = chart->unit;
         plot.log_y = chart->scale == Scale::Logarithmic;
-        for (const Line& line : lines_of(*chart, history, moment, view)) {
+        for (const Line& line : lines_of(*chart, history, moment, names, view)) {
             const auto until =
                 std::upper_bound(line.x.begin(), line.x.end(), static_cast<float>(moment.step));
             const auto count = until - line.x.begin();

@@ -34,12 +34,12 @@ void draw_spectrum_tab(PanelContext& context) {
     const SessionSnapshot& moment = context.remote.session();
     Spectra& spectra = context.measures.spectra;
     spectra.follow(moment, ImGui::GetTime());
-    const std::vector<std::string>& titles = context.measures.titles.of(moment.setup);
     std::vector<Series> series;
     for (const LaneSpectrum& lane : spectra.lanes()) {
         const auto place = std::find(moment.ids.begin(), moment.ids.end(), lane.id) - moment.ids.begin();
         if (place == static_cast<std::ptrdiff_t>(moment.ids.size())) continue;  // it was removed
-        Series one{titles[static_cast<std::size_t>(place)], theme.lane(static_cast<int>(place)), lane.energy};
+        Series one{context.names.name(static_cast<std::size_t>(place)), theme.lane(static_cast<int>(place)),
+                   lane.energy};
         one.x = lane.k;
         series.push_back(one);
     }

@@ -162,7 +162,6 @@ void value_cell(PanelContext& context, double value, bool best) {
 
 void draw_group(PanelContext& context, const Group& group) {
     const SessionSnapshot& moment = context.remote.session();
-    const std::vector<std::string>& titles = context.measures.titles.of(moment.setup);
     std::vector<Row> rows;
     for (std::size_t k = 0; k < moment.lanes.size(); ++k) rows.push_back({k, &moment.lanes[k].measures});
 
@@ -179,7 +178,7 @@ void draw_group(PanelContext& context, const Group& group) {
     for (const Row& row : rows) {
         ImGui::TableNextRow();
         ImGui::TableSetColumnIndex(0);
-        lane_cell(context, row.place, titles[row.place]);
+        lane_cell(context, row.place, context.names.name(row.place));
         for (std::size_t k = 0; k < group.columns.size(); ++k) {
             const Column& column = group.columns[k];
             ImGui::TableSetColumnIndex(static_cast<int>(k + 1));

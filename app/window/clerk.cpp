@@ -67,14 +67,15 @@ void Clerk::take_picture(PanelContext& context, Saved& saved) {
         if (!renderer_) renderer_ = std::make_unique<PictureRenderer>();
         std::vector<SheetPlot> plots;
         if (context.files.picture.plots) plots = plots_of(context.history, saved.snapshot, context.measures);
-        const WindowSheet sheet = sheet_of(saved.snapshot, context.view, context.remote.selected(),
-                                           context.files.picture, std::move(plots));
+        LaneFields fields;
+        const SheetRequest sheet = sheet_of(saved.snapshot, context.view, context.remote.selected(),
+                                            context.files.picture, std::move(plots), fields);
         std::vector<TextChunk> text{{"Software", "Whorl " WHORL_VERSION}};
         if (!saved.complete)
             context.remote.notices().warn(std::string("This picture carries no run: ") + not_complete);
         chores_.add({"picture", "Picture written to ", failed,
-                     [image = renderer_->render(sheet.request), text = std::move(text),
-                      recording = saved.recording, complete = saved.complete]() mutable {
+                     [image = renderer_->render(sheet), text = std::move(text), recording = saved.recording,
+                      complete = saved.complete]() mutable {
                          const auto path = numbered_path(".png");
                          if (complete) text.emplace_back(run_chunk, write_run(recording));
                          write_png(path, image, text);
@@ -96,10 +97,9 @@ void Clerk::save_run(Recording recording) {
 
 void Clerk::save_plots(PanelContext& context) {
     const SessionSnapshot& moment = context.remote.session();
-    const std::vector<std::string>& titles = context.measures.titles.of(moment.setup);
     std::vector<CsvLane> lanes;
     for (std::size_t k = 0; k < moment.lanes.size(); ++k)
-        lanes.push_back({titles[k], context.history.lane(moment.ids[k])});
+        lanes.push_back({context.names.name(k), context.history.lane(moment.ids[k])});
     chores_.add({"csv", "Plots written to ", "Plots not saved: ", [lanes = std::move(lanes)] {
                      const auto path = numbered_path(".csv");
                      write_whole_file(path, plots_csv(lanes));

@@ -10,7 +10,7 @@ namespace whorl::app {
 
 /// One event. Positions are framebuffer pixels from the top left.
 struct InputEvent {
-    enum class Kind { Move, Press, Release, Wheel, Character, Key, Drop };
+    enum class Kind { Move, Press, Release, Wheel, Character, Key, KeyUp, Drop };
 
     Kind kind;
     double x = 0, y = 0;    ///< of the pointer; of the wheel its turn

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/panels/lane_names.h"
 #include "app/plot/ticks.h"
 
 namespace whorl::app {
@@ -19,52 +20,55 @@ std::string moment_line(const SessionSnapshot& moment) {
            " · t = " + figure(moment.time);
 }
 
+/// The lanes that the window shows.
+std::vector<std::size_t> shown_lanes(const SessionSnapshot& moment, const ViewState& view,
+                                     std::size_t selected) {
+    if (view.compare == Compare::One && selected < moment.lanes.size()) return {selected};
+    std::vector<std::size_t> all;
+    for (std::size_t k = 0; k < moment.lanes.size(); ++k) all.push_back(k);
+    return all;
+}
+
 }  // namespace
 
-WindowSheet sheet_of(const SessionSnapshot& moment, const ViewState& view, std::size_t selected,
-                     const PictureOptions& options, std::vector<SheetPlot> plots) {
-    WindowSheet sheet;
-    SheetRequest& request = sheet.request;
-    sheet.scratch.resize(moment.lanes.size());
-    const std::vector<std::string> names = titles(moment.setup);
+SheetRequest sheet_of(const SessionSnapshot& moment, const ViewState& view, std::size_t selected,
+                      const PictureOptions& options, std::vector<SheetPlot> plots, LaneFields& fields) {
+    LaneNames names;
+    names.update(moment.setup);
+    fields.update(moment, *view.shown, view.difference);
     std::vector<SheetCell> cells;
-    Range range = view.range.ends();
-    bool first = !view.range.held();
-    for (std::size_t k = 0; k < moment.lanes.size(); ++k) {
+    const std::vector<std::size_t> shown = shown_lanes(moment, view, selected);
+    for (const std::size_t k : shown) {
         const Snapshot& lane = moment.lanes[k];
-        SheetCell cell;
-        cell.field = view.shown->field(lane, sheet.scratch[k]);
+        SheetCell& cell = cells.emplace_back();
+        cell.field = fields.of(k);
         cell.cells = {lane.grid.nx, lane.grid.ny};
         if (moment.lanes.size() > 1) {
-            cell.title = names[k];
+            cell.title = names.name(k);
+            cell.note = names.difference(k);
             cell.colour = static_cast<int>(k);
         }
         if (lane.failure) cell.stopped = "Stopped at " + *lane.failure;
-        if (cell.field != nullptr) {
-            cell.solids = lane.solids;
-            cell.arrows = view.arrows ? &lane.velocity : nullptr;
-            if (!view.range.held()) {
-                const Range span = view.shown->automatic_range(lane, *cell.field);
-                range = first ? span : Range{std::min(range.lo, span.lo), std::max(range.hi, span.hi)};
-                first = false;
-            }
-        }
-        cells.push_back(std::move(cell));
+        if (cell.field == nullptr) continue;
+        cell.solids = lane.solids;
+        cell.arrows = view.arrows ? &lane.velocity : nullptr;
     }
-    const Snapshot& only = moment.lanes[std::min(selected, moment.lanes.size() - 1)];
+    const Range range = view.range.held() ? view.range.ends() : fields.span();
+    SheetRequest request;
     request.rows = arranged(std::move(cells));
     request.map = &view.map();
     request.lo = range.lo;
     request.hi = range.hi;
     request.title = moment.setup.scene.title;
     request.label = bar_label(*view.shown);
-    request.caption = moment.lanes.size() == 1 ? caption(only) : moment_line(moment);
+    if (view.difference) request.label += "  less that of " + names.name(fields.reference());
+    request.caption = moment.lanes.size() == 1 ? caption(moment.lanes.front()) : moment_line(moment);
     request.crisp = view.crisp;
     request.light = options.light;
     request.scale = static_cast<float>(options.scale);
-    request.cell_width = cell_width(moment.lanes.size());
-    if (options.plots) request.plots = std::move(plots);
-    return sheet;
+    request.cell_width = cell_width(shown.size());
+    request.plots = std::move(plots);
+    return request;
 }
 
 }  // namespace whorl::app

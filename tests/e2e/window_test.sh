@@ -140,7 +140,24 @@ xdotool key r
 until_ run ">" 0
 until_ total_density "<" 0.01
 say "reset"
+
+# ---- lanes
+click comparison
+click comparison=thesis-five
+until_ lanes "==" 5
+for k in 1 2 3 4 5; do until_ total_density_$k "<" 0.01; done
+drag 1 30 70 60 50
+for k in 1 2 3 4 5; do until_ total_density_$k ">" 1; done
+say "one drag goes into all of the thesis' five"
+click compare=wipe
+click compare=difference
+click lane-title=1
+click lane-duplicate
+until_ lanes "==" 6
+say "another lane, while two are compared under a line"
+
 xdotool key 1
+until_ lanes "==" 1
 until_ nx "==" 128
 until_ total_density ">" 0.5
 say "the first preset"

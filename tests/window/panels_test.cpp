@@ -32,6 +32,8 @@ std::string drawn(HeadlessUi& ui, const Scene& scene, bool help) {
         History history;
         FrameLog frames;
         frames.add(16.7, 5);
+        LaneFields fields;
+        LaneNames names;
         HoverHelp hover;
         Trace trace(path);
         Slabs slabs;
@@ -40,10 +42,10 @@ std::string drawn(HeadlessUi& ui, const Scene& scene, bool help) {
             std::vector<StepMeasures> measures;
             const bool new_run = player.take_measures(measures);
             history.take(measures, new_run);
-            Field scratch;
-            const Field* field = view.shown->field(remote.snapshot(), scratch);
+            fields.update(remote.session(), *view.shown, view.difference);
+            names.update(remote.session().setup);
             PanelContext context{ui.theme, remote, view,  measure_view, files, history,
-                                 frames,   field,  hover, trace,        slabs};
+                                 frames,   fields, names, hover,        trace, slabs};
             ui.frame([&] {
                 draw_control_column(context);
                 draw_measure_column(context);
