@@ -54,6 +54,7 @@ void take_snapshot(const Session& session, const SessionSnapshot& last, Pool& po
     out.setup = session.setup();
     out.step = session.step_number();
     out.last_step = session.last_step();
+    out.complete = session.complete();
     out.time = session.time();
     out.lanes.resize(session.lane_count());
     out.ids.resize(session.lane_count());

@@ -32,6 +32,7 @@ struct SessionSnapshot {
     std::vector<int> ids;         ///< see Session::id
     long step = 0;                ///< of the session
     long last_step = 0;           ///< that can be gone to
+    bool complete = true;         ///< whether the recording holds all of the run
     double time = 0;
     std::uint64_t taken = 0;   ///< commands of the player that have been taken, see Player::push
     std::uint64_t serial = 0;  ///< grows with every snapshot

@@ -169,6 +169,33 @@ until_seen '"event":"picture"'
 "$check_picture" whorl-0001.png >"$work/picture" || fail "the picture cannot be read, or is empty"
 grep -q -E "experiment = ['\"]plume['\"]" "$work/picture" || fail "the picture does not hold its scene"
 say "a picture of $(head -1 "$work/picture") pixels"
+
+# ---- a picture brings its run back
+drag 1 30 70 60 50
+xdotool key space
+until_ playing "==" false
+sleep 0.5
+xdotool mousemove "$(field_x 50)" "$(field_y 5)" key F12
+until_seen 'whorl-0002.png"'
+at=$(value step)
+xdotool key Home
+until_ step "==" 0
+say "Home goes back to the start"
+xdotool key ctrl+o
+click open-path
+xdotool type --delay 50 whorl-0002.png
+xdotool key Return
+until_seen '"event":"opened"'
+until_seen '"event":"replayed","text":"same"'
+until_ step "==" "$at"
+[ "$(value playing)" = false ] || fail "the opened run plays"
+xdotool mousemove "$(field_x 50)" "$(field_y 5)" key F12
+until_seen 'whorl-0003.png"'
+"$check_picture" whorl-0002.png >"$work/first" && "$check_picture" whorl-0003.png >"$work/second" || fail "no pictures"
+cmp "$work/first" "$work/second" || fail "the picture of the opened run differs"
+grep -q digest "$work/first" || fail "the picture holds no digest"
+say "a picture opened again is the same picture"
+
 rm -rf "$work/pictures"
 xdotool key F12
 until_seen '"event":"picture-failed"'
