@@ -219,6 +219,20 @@ void Remote::load(std::string_view key, Recording recording) {
     }
 }
 
+void Remote::load_scene(std::string_view key, const Scene& scene) {
+    if (setup_.lanes.size() == 1) return load(key, {.setup = {.scene = scene}});
+    const Setup compared{scene, setup_.lanes, setup_.reference};
+    const std::size_t place = selected_in_setup();
+    try {
+        lane_scenes(compared);
+        load(key, {.setup = compared});
+        selected_id_ = static_cast<int>(place);  // a session numbers its first lanes in their order
+    } catch (const InputError& e) {
+        notices_.info("The lanes do not go with this scene, which begins with one: " + std::string(e.what()));
+        load(key, {.setup = {.scene = scene}});
+    }
+}
+
 void Remote::set_pace(Pace pace) {
     pace_ = pace;
     player_.set_pace(pace);

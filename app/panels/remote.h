@@ -64,6 +64,9 @@ class Remote {
     void push(Command command);
     /// Begins another run; a refusal is a notice.
     void load(std::string_view key, Recording recording);
+    /// Begins another scene with the lanes that are compared now; without them, and with a notice, where they
+    /// do not go with it.
+    void load_scene(std::string_view key, const Scene& scene);
     void set_loaded(std::string_view key) { loaded_ = key; }
     void restart() { push(Restart{}); }
     void play(bool playing) { player_.play(playing); }

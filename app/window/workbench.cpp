@@ -175,7 +175,7 @@ void Workbench::type(const InputEvent& event) {
     const int digit = event.code - '1';
     if (digit < 0 || digit >= static_cast<int>(presets().size())) return;
     const Preset& preset = presets()[static_cast<std::size_t>(digit)];
-    remote_.load(preset.key, {.setup = {.scene = preset.scene()}});
+    remote_.load_scene(preset.key, preset.scene());
 }
 
 PanelContext Workbench::context() {
