@@ -11,7 +11,6 @@ std::span<const Panel> panels() {
         {"Schemes", draw_schemes_panel},
         {"Particles", draw_particles_panel},
         {"View", draw_view_panel},
-        {"Picture", draw_picture_panel, false},
         {"Forces", draw_forces_panel},
         {"Brush", draw_brush_panel},
         {"Time", draw_time_panel},

@@ -4,6 +4,7 @@
 
 #include <cstdio>
 #include <fstream>
+#include <set>
 #include <sstream>
 
 #include "app/panels/control_column.h"
@@ -130,6 +131,11 @@ TEST(Panels, MeasureAnyNumberOfLanesInAnyWindow) {
             EXPECT_FALSE(has(table, "Error=L1")) << "there is nothing to compare with";
         }
     }
+}
+
+TEST(Panels, AreListedOnce) {
+    std::set<std::string> titles;
+    for (const Panel& panel : panels()) EXPECT_TRUE(titles.insert(panel.title).second) << panel.title;
 }
 
 TEST(Panels, DialogsHaveTheirControls) {
