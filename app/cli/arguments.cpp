@@ -49,6 +49,7 @@ void add_draw(CLI::App& verb, DrawArguments& draw) {
         ->type_name("S")
         ->check(CLI::Range(0.5, 8.0));
     verb.add_flag("--light", draw.light, "dark on white, for paper");
+    verb.add_flag("--difference", draw.difference, "each lane less the reference lane, or the first");
     verb.add_flag("--crisp", draw.crisp, "cells as squares of one colour");
 }
 

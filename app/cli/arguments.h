@@ -26,6 +26,7 @@ struct DrawArguments {
     int width = 0;    ///< 0 takes what suits the number of fields
     float scale = 0;  ///< 0 takes what suits the width
     bool light = false, crisp = false;
+    bool difference = false;  ///< of each lane from the reference lane
 };
 
 /// `whorl run PRESET|FILE`, and `whorl experiment NAME`

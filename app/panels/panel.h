@@ -7,7 +7,7 @@
 #include "app/panels/frame_log.h"
 #include "app/panels/history.h"
 #include "app/panels/hover_help.h"
-#include "app/panels/lane_names.h"
+#include "app/views/lane_names.h"
 #include "app/panels/measure_view.h"
 #include "app/panels/remote.h"
 #include "app/panels/slabs.h"

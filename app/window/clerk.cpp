@@ -5,15 +5,31 @@
 #include "app/panels/measure_tabs.h"
 #include "app/scenes/files.h"
 #include "app/scenes/presets.h"
+#include "app/views/session_sheet.h"
 #include "app/window/numbered_path.h"
 #include "app/window/plots_csv.h"
-#include "app/window/window_sheet.h"
 #include "core/io/png.h"
 #include "core/io/run_file.h"
 #include "core/io/whole_file.h"
 
 namespace whorl::app {
 namespace {
+
+/// As the window shows it: all lanes, or one; a range that is not held is the moment's own, whether the run
+/// plays or stands.
+PictureStyle style_of(const PanelContext& context, std::vector<SheetPlot> plots) {
+    const ViewState& view = context.view;
+    PictureStyle style{.view = view.shown, .difference = view.difference};
+    if (view.compare == Compare::One) style.alone = context.remote.selected();
+    style.map = &view.map();
+    if (view.range.held()) style.range = view.range.ends();
+    style.crisp = view.crisp;
+    style.light = context.files.picture.light;
+    style.arrows = view.arrows;
+    style.scale = static_cast<float>(context.files.picture.scale);
+    style.plots = std::move(plots);
+    return style;
+}
 
 constexpr const char* not_complete =
     "the recording is full, so that it cannot bring this run back: reset to begin another one";
@@ -67,9 +83,9 @@ void Clerk::take_picture(PanelContext& context, Saved& saved) {
         if (!renderer_) renderer_ = std::make_unique<PictureRenderer>();
         std::vector<SheetPlot> plots;
         if (context.files.picture.plots) plots = plots_of(context.history, saved.snapshot, context.measures);
-        LaneFields fields;
-        const SheetRequest sheet = sheet_of(saved.snapshot, context.view, context.remote.selected(),
-                                            context.files.picture, std::move(plots), fields);
+        std::deque<LaneFields> fields;
+        const SheetRequest sheet =
+            sheet_of({&saved.snapshot, 1}, style_of(context, std::move(plots)), fields);
         std::vector<TextChunk> text{{"Software", "Whorl " WHORL_VERSION}};
         if (!saved.complete)
             context.remote.notices().warn(std::string("This picture carries no run: ") + not_complete);

@@ -1,4 +1,4 @@
-#include "app/panels/lane_names.h"
+#include "app/views/lane_names.h"
 
 namespace whorl::app {
 
