@@ -138,18 +138,14 @@ Explanation explain(const LastAdvection& last, Quantity quantity, int i, int j, 
     flush_denormals();
     Explanation out;
     out.quantity = quantity;
-    out.i = out.of_i = i;
-    out.j = out.of_j = j;
-    const auto holds = WallRules(*last.boundary, q->site()).holds(i, j);
-    if (!holds) {
-        out.wall = Wall::Closed;
-    } else if (*holds != std::pair(i, j)) {
-        out.wall = Wall::Inside;
-        std::tie(out.of_i, out.of_j) = *holds;
-    }
+    out.i = i;
+    out.j = j;
+    const WallRules walls(*last.boundary, q->site());
+    std::tie(out.of_i, out.of_j) = walls.source(i, j);
+    out.closed = walls.closed(i, j);
     out.at = world(*q, last.boundary->grid(), out.of_i, out.of_j);
     Explainer(last, quantity, pool, out).explain();
-    if (out.wall == Wall::Closed) out.result = 0;
+    if (out.closed) out.result = 0;
     out.now = static_cast<double>((*last.at_present(quantity))(i, j));
     return out;
 }

@@ -112,25 +112,21 @@ struct Correction {
     double error;    ///< e = (q̂ⁿ − qⁿ)/2
 };
 
-/// What a wall does to a node.
-enum class Wall {
-    None,
-    Closed,  ///< a face beside a solid: no velocity across
-    Inside   ///< in a solid: the value of the nearest node that fluid touches
-};
-
 struct Explanation {
     Quantity quantity{};
     int i = 0, j = 0;  ///< of the node that was asked for
-    Wall wall = Wall::None;
-    int of_i = 0, of_j = 0;  ///< of the node that is explained: the same, or the one that a solid's takes
-    WorldPoint at{};         ///< of that node, length
+    /// Of the node that is explained: the same, or for one in a solid the nearest that fluid touches, whose
+    /// value it takes.
+    int of_i = 0, of_j = 0;
+    bool closed = false;          ///< that node is a face beside a solid: no velocity across
+    WorldPoint at{};              ///< of that node, length
     std::vector<BaseStep> steps;  ///< forward; and for predictor-correctors back, and again
     std::optional<Correction> correction;
     Sum sum;
     double result = 0;  ///< what the advection gave the node, walls heeded
     double now = 0;     ///< what it holds at present, see LastAdvection::now
 
+    bool inside() const { return of_i != i || of_j != j; }
     /// Whether a limiter changed the node's value on the way.
     bool limited() const;
 };

@@ -36,10 +36,11 @@ class Writer {
     void write(const Explanation& e) {
         const QuantityInfo& what = info(e.quantity);
         line(0, std::string(what.label) + " at " + node(e.i, e.j) + ": " + number(e.result));
-        if (e.wall == Wall::Inside) {
+        if (e.inside()) {
             line(1, "in a wall; holds the value of the nearest node that fluid touches, " +
                         node(e.of_i, e.of_j) + ", explained here");
-        } else if (e.wall == Wall::Closed) {
+        }
+        if (e.closed) {
             line(1, "on a wall: no velocity across; without it the advection would give " +
                         number(e.sum.value()));
         }

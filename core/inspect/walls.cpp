@@ -2,24 +2,25 @@
 
 namespace whorl {
 
-WallRules::WallRules(const Boundary& boundary, Site site) : numbers_(boundary.field(site)) {
+WallRules::WallRules(const Boundary& boundary, Site site)
+    : sources_(boundary.field(site)), open_(boundary.field(site, 1)) {
     // A Real holds more whole numbers than a scene may have cells.
-    for (int j = 0; j < numbers_.height(); ++j) {
-        for (int i = 0; i < numbers_.width(); ++i)
-            numbers_(i, j) = static_cast<Real>(j * numbers_.width() + i + 1);
+    for (int j = 0; j < sources_.height(); ++j) {
+        for (int i = 0; i < sources_.width(); ++i)
+            sources_(i, j) = static_cast<Real>(j * sources_.width() + i);
     }
-    boundary.fill(numbers_);
+    boundary.fill(sources_);
     if (site == Site::Centre) return;
     FaceVelocity faces = boundary.velocity();
-    (site == Site::FaceX ? faces.u : faces.v) = numbers_;
+    Field& ours = site == Site::FaceX ? faces.u : faces.v;
+    ours.set_all(1);
     boundary.enforce(faces);
-    numbers_ = site == Site::FaceX ? faces.u : faces.v;
+    open_ = ours;
 }
 
-std::optional<std::pair<int, int>> WallRules::holds(int i, int j) const {
-    const int number = static_cast<int>(numbers_(i, j));
-    if (number == 0) return std::nullopt;
-    return std::pair((number - 1) % numbers_.width(), (number - 1) / numbers_.width());
+std::pair<int, int> WallRules::source(int i, int j) const {
+    const int number = static_cast<int>(sources_(i, j));
+    return {number % sources_.width(), number / sources_.width()};
 }
 
 }  // namespace whorl

@@ -1,7 +1,6 @@
-// Which nodes hold another node's value, or none, because of a wall.
+// Which nodes hold another node's value, or 0, because of a wall.
 #pragma once
 
-#include <optional>
 #include <utility>
 
 #include "core/grid/boundary.h"
@@ -14,13 +13,15 @@ class WallRules {
     WallRules(const Boundary& boundary, Site site);
 
     /// The sample whose value (i, j) holds: itself, or in a solid the nearest that fluid touches.
-    /// @return nothing on a face that holds 0
-    std::optional<std::pair<int, int>> holds(int i, int j) const;
+    std::pair<int, int> source(int i, int j) const;
+    /// Whether (i, j) is a face that fluid may not cross, or holds the value of one.
+    bool closed(int i, int j) const { return open_(i, j) == 0; }
     /// Whether a sample holds what advection gave it.
-    bool free(int i, int j) const { return holds(i, j) == std::pair(i, j); }
+    bool free(int i, int j) const { return source(i, j) == std::pair(i, j) && !closed(i, j); }
 
   private:
-    Field numbers_;  ///< of samples, from 1
+    Field sources_;  ///< numbers of samples, row by row
+    Field open_;     ///< 0 on what is closed, else 1
 };
 
 }  // namespace whorl
