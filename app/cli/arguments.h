@@ -56,6 +56,17 @@ struct CompareArguments {
     int threads = 0;
 };
 
+/// `whorl explain PRESET|FILE`
+struct ExplainArguments {
+    std::string scene;
+    std::vector<std::string> set;
+    std::string lanes;
+    int at = 1;
+    std::vector<int> cell;  ///< i, j
+    std::string field = "density";
+    int threads = 0;
+};
+
 /// `whorl converge EXPERIMENT`
 struct ConvergeArguments {
     std::string experiment;
@@ -73,7 +84,7 @@ struct ExperimentArguments : RunArguments {};
 
 /// What was asked for, or the exit code where all has been said (`--help`, a wrong option).
 using Arguments = std::variant<int, WindowArguments, RunArguments, ExperimentArguments, CompareArguments,
-                               ConvergeArguments, ListArguments>;
+                               ExplainArguments, ConvergeArguments, ListArguments>;
 
 /// @throws InputError for a list that is not one
 Arguments parse_arguments(int argc, char** argv);

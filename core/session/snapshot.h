@@ -22,8 +22,16 @@ struct Snapshot {
     Field exact;                         ///< the exact density, where has_exact
     bool has_exact = false;
     Measures measures;
+    /// What the last step's advection began with, where that was asked for and is known.
+    std::optional<KeptAdvection> advection;
     std::optional<std::string> failure;  ///< why the lane has stopped; the fields are the last sound ones
 };
+
+/// The last advection of a snapshot that has kept it.
+inline std::optional<LastAdvection> last_advection(const Snapshot& s) {
+    if (!s.advection) return std::nullopt;
+    return s.advection->last(s.density, s.temperature, s.velocity);
+}
 
 /// All lanes at one step.
 struct SessionSnapshot {
@@ -42,11 +50,15 @@ struct SessionSnapshot {
     std::uint64_t digest() const;
 };
 
+/// What to copy beside the present state.
+enum class Keep { Nothing, Advection };
+
 /// Copies a sound lane's present state; allocates only when the grid has changed.
-void take_snapshot(const Lane& lane, Pool& pool, Snapshot& out);
+void take_snapshot(const Lane& lane, Pool& pool, Snapshot& out, Keep keep = Keep::Nothing);
 
 /// Copies a session's present state; a lane that has stopped keeps the fields of `last`, the snapshot before.
 /// Leaves serial and run alone.
-void take_snapshot(const Session& session, const SessionSnapshot& last, Pool& pool, SessionSnapshot& out);
+void take_snapshot(const Session& session, const SessionSnapshot& last, Pool& pool, SessionSnapshot& out,
+                   Keep keep = Keep::Nothing);
 
 }  // namespace whorl
