@@ -17,9 +17,10 @@ void ColourRange::set(Range ends) {
     held_ = true;
 }
 
-void ColourRange::follow(const View& view, Range span, double seconds) {
-    const bool another = view_ != &view;
+void ColourRange::follow(const View& view, bool difference, Range span, double seconds) {
+    const bool another = view_ != &view || difference_ != difference;
     view_ = &view;
+    difference_ = difference;
     if (another) {
         held_ = false;
         ends_ = span;

@@ -13,13 +13,15 @@ class ColourRange {
     /// Sets both ends and holds them; ends that do not ascend are ignored.
     void set(Range ends);
 
-    /// Brings the range towards what a view's field spans, unless it is held. Another view starts afresh.
+    /// Brings the range towards what a view's fields span, unless it is held. Another view starts afresh, and
+    /// so do differences in it.
     /// @param seconds  since the last call; `at_once` goes all the way
     static constexpr double at_once = 1e6;
-    void follow(const View& view, Range span, double seconds);
+    void follow(const View& view, bool difference, Range span, double seconds);
 
   private:
     const View* view_ = nullptr;
+    bool difference_ = false;
     bool held_ = false;
     Range ends_{0, 1};
 };

@@ -12,21 +12,25 @@ namespace {
 
 void state_lines(PanelContext& context) {
     const Snapshot& s = context.snapshot();
+    const SessionSnapshot& session = context.remote.session();
     const Palette& palette = context.theme.palette;
     ImGui::PushFont(context.theme.title);
     ImGui::TextUnformatted("Whorl");
     ImGui::PopFont();
     char line[96];
     if (s.grid.dimensions() == 1) {
-        std::snprintf(line, sizeof line, "%d cells  ·  step %ld  ·  t = %.2f", s.grid.nx, s.measures.step,
-                      s.measures.time);
+        std::snprintf(line, sizeof line, "%d cells  ·  step %ld  ·  t = %.2f", s.grid.nx, session.step,
+                      session.time);
     } else {
         std::snprintf(line, sizeof line, "%d × %d  ·  step %ld  ·  t = %.2f", s.grid.nx, s.grid.ny,
-                      s.measures.step, s.measures.time);
+                      session.step, session.time);
     }
     text(palette.text_dim, line);
-    std::snprintf(line, sizeof line, "%.0f frames/s  ·  %.0f steps/s", context.frames.frames_per_second(),
-                  context.remote.steps_per_second());
+    int end = 0;
+    if (session.lanes.size() > 1)
+        end = std::snprintf(line, sizeof line, "%zu lanes  ·  ", session.lanes.size());
+    std::snprintf(line + end, sizeof line - static_cast<std::size_t>(end), "%.0f frames/s  ·  %.0f steps/s",
+                  context.frames.frames_per_second(), context.remote.steps_per_second());
     text(palette.text_dim, line);
     ImGui::Separator();
     ImGui::Dummy({0, context.theme.px(1)});
@@ -36,7 +40,7 @@ void state_lines(PanelContext& context) {
 
 void draw_control_column(PanelContext& context) {
     state_lines(context);
-    ImGui::BeginChild("panels", {0, 0}, false, ImGuiWindowFlags_None);
+    ImGui::BeginChild("panels", {0, 0}, false, ImGuiWindowFlags_NoNav);  // Tab shows another lane
     bool first = true;
     for (const Panel& panel : panels()) {
         // What every run needs comes without a heading.

@@ -1,4 +1,4 @@
-// A one-dimensional run: the density as a curve over the exact one.
+// A one-dimensional run: a curve for every lane, over the exact one.
 #pragma once
 
 #include "app/panels/panel.h"

@@ -4,107 +4,136 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <glm/common.hpp>
 
 #include "app/panels/curve_view.h"
+#include "app/panels/field_header.h"
+#include "app/panels/lane_tile.h"
+#include "app/panels/tiles.h"
 #include "app/panels/widgets.h"
-#include "app/plot/ticks.h"
 #include "app/render/colour_bar.h"
 
 namespace whorl::app {
 namespace {
 
-float header_height(const Theme& theme) {
-    return theme.title->FontSize + theme.small->FontSize + theme.px(18);
-}
-
-float bar_space(const Theme& theme) {
-    return theme.px(16) + theme.px(12 + 6) + theme.small->FontSize + theme.px(6);
+/// Below the fields, pixels; the bar of several lanes says what it measures.
+float bar_space(const Theme& theme, bool several) {
+    return theme.px(16) + theme.px(12 + 6) + theme.small->FontSize + theme.px(6) +
+           (several ? theme.small->FontSize + theme.px(6) : 0);
 }
 
 float aspect(const Grid& grid) {
     return static_cast<float>(grid.ny) / static_cast<float>(grid.nx);
 }
 
-/// What to do with the field, from all of it to what fits a narrow window.
-const char* hints(const Snapshot& s, float width) {
-    constexpr const char* flat[] = {"Space pauses  ·  . steps  ·  R resets  ·  F12 picture  ·  H keys",
-                                    "Space pauses  ·  H keys"};
-    constexpr const char* plane[] = {
-        "Drag to inject smoke  ·  right-drag to push  ·  shift-drag to build  ·  Space pauses  ·  F12 "
-        "picture  "
-        "·  H keys",
-        "Drag to inject smoke  ·  right-drag to push  ·  Space pauses  ·  F12 picture  ·  H keys",
-        "Drag to inject smoke  ·  right-drag to push  ·  H keys", "Drag to inject smoke  ·  H keys"};
-    const std::span<const char* const> all =
-        s.grid.dimensions() == 1 ? std::span<const char* const>(flat) : plane;
-    for (const char* line : all) {
-        if (ImGui::CalcTextSize(line).x <= width) return line;
+float tile_gap(const Theme& theme) {
+    return theme.px(12);
+}
+
+/// Above each field of several lanes, pixels.
+float tile_head(const Theme& theme, bool several) {
+    return several ? lane_title_height(theme) : 0;
+}
+
+Tiles tiles_in(const Theme& theme, const FieldShape& shape, ImVec2 room) {
+    const bool several = shape.lanes > 1;
+    const float height = room.y - field_header_height(theme, several) - bar_space(theme, several);
+    const float frame = theme.px(2);
+    return largest_tiles(shape.tiles, aspect(shape.grid), room.x - 2 * frame, height, tile_gap(theme),
+                         tile_head(theme, several));
+}
+
+/// The lanes whose fields are on screen, in order.
+std::vector<std::size_t> lanes_on_screen(const PanelContext& context) {
+    const Remote& remote = context.remote;
+    std::vector<std::size_t> lanes;
+    switch (context.view.compare) {
+        case Compare::SideBySide:
+            for (std::size_t k = 0; k < remote.session().lanes.size(); ++k) lanes.push_back(k);
+            break;
+        case Compare::One:
+            lanes = {context.view.peek ? remote.other() : remote.selected()};
+            break;
+        case Compare::Wipe:
+            lanes = {remote.selected()};
+            if (remote.other() != remote.selected()) lanes.push_back(remote.other());
+            break;
     }
-    return all.back();
+    return lanes;
 }
 
-/// Position, value and cell under the mouse.
-std::string reading(const PanelContext& context, const FieldPlacement& place) {
-    const ImVec2 mouse = ImGui::GetIO().MousePos;
-    const auto px = static_cast<double>(mouse.x);
-    const auto py = static_cast<double>(mouse.y);
-    if (!place.drawn() || place.covered || !place.contains(px, py)) return {};
-    const Snapshot& s = context.snapshot();
-    const WorldPoint at = place.world(px, py);
-    const int i = std::clamp(static_cast<int>(at.x / s.grid.h), 0, s.grid.nx - 1);
-    const int j = std::clamp(static_cast<int>(at.y / s.grid.h), 0, s.grid.ny - 1);
-    const Field& field = *context.field;
-    const bool solid = s.solids[static_cast<std::size_t>(j) * s.grid.nx + i] != 0;
-    char line[96];
-    std::snprintf(line, sizeof line, "(%.2f, %.2f)  cell %d, %d  ", at.x, at.y, i, j);
-    return line + (solid ? "solid" : figure(static_cast<double>(field(i, j)), 4));
-}
-
-/// The first of the texts that fits, at the right end of a line.
-void at_right(const Theme& theme, float right, float y, float room, const std::string& line) {
-    ImGui::PushFont(theme.mono);
-    const std::string shown = fitted(line, room);
-    ImGui::SetCursorScreenPos({right - ImGui::CalcTextSize(shown.c_str()).x, y});
-    text(theme.palette.text, shown);
-    ImGui::PopFont();
-}
-
-void draw_header(PanelContext& context, const FieldPlacement& place, ImVec2 corner, float width) {
-    const Theme& theme = context.theme;
-    const View& view = *context.view.shown;
-    ImGui::SetCursorScreenPos(corner);
-    ImGui::PushFont(theme.title);
-    text(theme.palette.text, view.label);
-    const float used = ImGui::GetItemRectSize().x;
-    ImGui::PopFont();
-    const std::string under = reading(context, place);
-    if (!under.empty()) {
-        at_right(theme, corner.x + width, corner.y + theme.px(3), width - used - theme.px(12), under);
-    } else if (!view.unit.empty()) {
-        ImGui::SameLine(0, theme.px(8));
-        ImGui::SetCursorScreenPos({ImGui::GetCursorScreenPos().x, corner.y + theme.px(4)});
-        ImGui::PushFont(theme.small);
-        text(theme.palette.text_dim, view.unit);
-        ImGui::PopFont();
+/// The field of a lane as large as it gets in a place, at its centre.
+FieldTile tile_in(const PanelContext& context, std::size_t lane, const PixelRect& place) {
+    const Grid& grid = context.remote.session().lanes[lane].grid;
+    const float high = aspect(grid) * static_cast<float>(place.width);
+    FieldTile tile{lane, place, place, grid.width(), grid.height()};
+    if (high > static_cast<float>(place.height) + 1) {
+        tile.rect.width = std::max(1, static_cast<int>(static_cast<float>(place.height) / aspect(grid)));
+        tile.rect.x += (place.width - tile.rect.width) / 2;
+    } else if (high < static_cast<float>(place.height) - 1) {
+        tile.rect.height = std::max(1, static_cast<int>(high));
+        tile.rect.y += (place.height - tile.rect.height) / 2;
     }
-    ImGui::PushFont(theme.small);
-    ImGui::SetCursorScreenPos({corner.x, corner.y + theme.title->FontSize + theme.px(6)});
-    text(theme.palette.text_dim, fitted(hints(context.snapshot(), width), width));
-    ImGui::PopFont();
+    tile.part = tile.rect;
+    return tile;
 }
 
+/// Two fields in one place: the first ends and the second begins at the line.
+void divide(FieldPlacement& place, float wipe) {
+    FieldTile& left = place.tiles[0];
+    FieldTile& right = place.tiles[1];
+    const int x = left.rect.x + static_cast<int>(std::lround(wipe * static_cast<float>(left.rect.width)));
+    left.part.width = x - left.rect.x;
+    right.part.width -= x - right.part.x;
+    right.part.x = x;
+    place.wipe = static_cast<float>(x);
+}
+
+void draw_wipe_line(const Theme& theme, const FieldPlacement& place, ImDrawList& list) {
+    const PixelRect& rect = place.tiles.front().rect;
+    const auto top = static_cast<float>(rect.y);
+    const auto bottom = static_cast<float>(rect.y + rect.height);
+    const float x = *place.wipe;
+    const float half = theme.px(1);
+    list.AddRectFilled({x - 2 * half, top}, {x + 2 * half, bottom}, IM_COL32(0, 0, 0, 120));
+    list.AddRectFilled({x - half, top}, {x + half, bottom}, theme.palette.text);
+    const ImVec2 middle{x, 0.5f * (top + bottom)};
+    list.AddCircleFilled(middle, theme.px(11), IM_COL32(0, 0, 0, 120));
+    list.AddCircleFilled(middle, theme.px(10), theme.palette.text);
+    for (const float side : {-1.0f, 1.0f}) {
+        const ImVec2 tip{middle.x + side * theme.px(7), middle.y};
+        const float back = tip.x - side * theme.px(4);
+        list.AddTriangleFilled(tip, {back, middle.y - theme.px(4)}, {back, middle.y + theme.px(4)},
+                               theme.palette.background);
+    }
+}
+
+/// A ring where the brush is, on the tile under the pointer, and fainter at the same place of the others.
 void draw_brush(const PanelContext& context, const FieldPlacement& place, ImDrawList& list) {
-    const ImVec2 mouse = ImGui::GetIO().MousePos;
-    if (place.covered || !place.contains(static_cast<double>(mouse.x), static_cast<double>(mouse.y))) return;
-    const double pixels = place.rect.width / place.width;
-    const auto radius = static_cast<float>(context.scene().brush.radius * pixels);
     const ImGuiIO& io = ImGui::GetIO();
+    const FieldTile* under = place.at(static_cast<double>(io.MousePos.x), static_cast<double>(io.MousePos.y));
+    if (under == nullptr) return;
+    const WorldPoint at =
+        place.world(*under, static_cast<double>(io.MousePos.x), static_cast<double>(io.MousePos.y));
+    const double shown = static_cast<double>(place.window.high.x - place.window.low.x);
+    const float line = context.theme.px(1);
     const ImU32 colour =
         io.KeyShift || io.KeyCtrl ? context.theme.palette.series[1] : context.theme.palette.accent;
-    const float line = context.theme.px(1);
-    list.AddCircle(mouse, radius + line, IM_COL32(0, 0, 0, 140), 0, line);
-    list.AddCircle(mouse, radius, colour, 0, line);
+    for (const FieldTile& tile : place.tiles) {
+        if (&tile != under && place.wipe) continue;
+        const float strength = &tile == under ? 1.0f : 0.45f;
+        const glm::dvec2 pixel = place.pixel(tile, at);
+        const ImVec2 middle{static_cast<float>(pixel.x), static_cast<float>(pixel.y)};
+        const auto radius =
+            static_cast<float>(context.scene().brush.radius * tile.rect.width / (tile.width * shown));
+        list.PushClipRect({static_cast<float>(tile.rect.x), static_cast<float>(tile.rect.y)},
+                          {static_cast<float>(tile.rect.x + tile.rect.width),
+                           static_cast<float>(tile.rect.y + tile.rect.height)},
+                          true);
+        list.AddCircle(middle, radius + line, faded(IM_COL32(0, 0, 0, 140), strength), 0, line);
+        list.AddCircle(middle, radius, faded(colour, strength), 0, line);
+        list.PopClipRect();
+    }
 }
 
 /// A card of one line at the centre of `x`. @return its height
@@ -169,51 +198,127 @@ void draw_failure(PanelContext& context, const PixelRect& rect) {
     ImGui::PopStyleColor(2);
 }
 
+/// Titles: above each field, or of two fields in one place at both ends of the line above it.
+void draw_titles(PanelContext& context, const FieldPlacement& place) {
+    const float head = lane_title_height(context.theme);
+    const auto gap = context.theme.px(16);
+    for (std::size_t k = 0; k < place.tiles.size(); ++k) {
+        const FieldTile& tile = place.tiles[k];
+        ImVec2 corner{static_cast<float>(tile.rect.x), static_cast<float>(tile.rect.y) - head};
+        auto width = static_cast<float>(tile.rect.width);
+        if (place.wipe) {
+            width = 0.5f * (width - gap);
+            if (k == 1) corner.x += width + gap;
+        }
+        draw_lane_title(context, tile.lane, corner, width);
+    }
+}
+
+std::string bar_label(const PanelContext& context) {
+    if (context.names.size() == 1) return {};
+    const View& view = context.fields.view();
+    std::string label(view.label);
+    if (context.fields.difference())
+        label += " less that of " + context.names.name(context.fields.reference());
+    return label + "  " + std::string(view.unit);
+}
+
+void draw_fields(PanelContext& context, const FieldPlacement& place, const PixelRect& all) {
+    const Theme& theme = context.theme;
+    const bool several = context.names.size() > 1;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    for (const FieldTile& tile : place.tiles) {
+        const bool marked = several && !place.wipe && place.tiles.size() > 1;
+        draw_lane_frame(context, tile, marked && tile.lane == context.remote.selected());
+        if (several) draw_lane_state(context, tile);
+        context.trace.place("field=" + std::to_string(tile.lane + 1), static_cast<float>(tile.rect.x),
+                            static_cast<float>(tile.rect.y), static_cast<float>(tile.rect.width),
+                            static_cast<float>(tile.rect.height));
+    }
+    if (several) draw_titles(context, place);
+    const Range range = context.view.range.ends();
+    const std::string label = bar_label(context);
+    const ColourBar bar{context.view.map(context.fields.view(), context.fields.difference()), range.lo,
+                        range.hi, label};
+    draw_colour_bar(list, theme, bar,
+                    {static_cast<float>(all.x), static_cast<float>(all.y + all.height) + theme.px(14)},
+                    static_cast<float>(all.width));
+    draw_brush(context, place, list);
+    if (place.wipe) draw_wipe_line(theme, place, list);
+}
+
 }  // namespace
 
-float field_width_for(const Theme& theme, const Grid& grid, float height) {
-    const float room = height - header_height(theme) - bar_space(theme);
-    return grid.dimensions() == 1 ? FLT_MAX : room / aspect(grid);
+FieldShape field_shape(const SessionSnapshot& session, const ViewState& view) {
+    const auto lanes = static_cast<int>(session.lanes.size());
+    return {session.lanes.front().grid, lanes, view.compare == Compare::SideBySide ? lanes : 1};
+}
+
+float field_width_for(const Theme& theme, const FieldShape& shape, ImVec2 room) {
+    if (shape.grid.dimensions() == 1) return FLT_MAX;
+    const Tiles tiles = tiles_in(theme, shape, room);
+    return static_cast<float>(tiles.columns) * (tiles.width + tile_gap(theme)) - tile_gap(theme) +
+           2 * theme.px(2);
 }
 
 FieldPlacement draw_field_area(PanelContext& context) {
     const Theme& theme = context.theme;
-    const Snapshot& s = context.snapshot();
+    const SessionSnapshot& session = context.remote.session();
+    const FieldShape shape = field_shape(session, context.view);
+    const bool several = shape.lanes > 1;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const ImVec2 room = ImGui::GetContentRegionAvail();
+    const float header = field_header_height(theme, several);
 
     FieldPlacement place;
-    place.width = s.grid.width();
-    place.height = s.grid.height();
+    place.window = context.view.window;
     place.covered = context.view.help ||
                     ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
-    const bool curve = s.grid.dimensions() == 1;
-    const float width =
-        curve ? room.x : std::floor(std::min(room.x - 2, field_width_for(theme, s.grid, room.y)));
-    const float left = std::floor(corner.x + 0.5f * (room.x - width));
-    const float top = std::floor(corner.y + header_height(theme));
-    const float height = curve ? room.y - header_height(theme) : std::floor(width * aspect(s.grid));
-    PixelRect rect{static_cast<int>(left), static_cast<int>(top), std::max(1, static_cast<int>(width)),
-                   std::max(1, static_cast<int>(height))};
-    if (!curve) place.rect = rect;
-
-    draw_header(context, place, {left, corner.y}, width);
-    context.trace.place("field", left, top, width, height);
-    if (curve) {
-        ImGui::SetCursorScreenPos({left, top});
-        draw_curve_view(context, {width, height});
-    } else {
-        ImDrawList& list = *ImGui::GetWindowDrawList();
-        list.AddRect({left - 1, top - 1}, {left + width + 1, top + height + 1}, theme.palette.border);
-        const Range range = context.view.range.ends();
-        const ColourBar bar{context.view.map(), range.lo, range.hi};
-        draw_colour_bar(list, theme, bar, {left, top + height + theme.px(14)}, width);
-        list.PushClipRect({left, top}, {left + width, top + height}, true);
-        draw_brush(context, place, list);
-        list.PopClipRect();
+    for (const Snapshot& lane : session.lanes)
+        place.cells = glm::max(place.cells, glm::ivec2(lane.grid.nx, lane.grid.ny));
+    if (shape.grid.dimensions() == 1) {
+        const PixelRect rect{static_cast<int>(corner.x), static_cast<int>(corner.y + header),
+                             std::max(1, static_cast<int>(room.x)),
+                             std::max(1, static_cast<int>(room.y - header))};
+        draw_field_header(context, place, corner, room.x);
+        context.trace.place("field", corner.x, corner.y + header, room.x, room.y - header);
+        ImGui::SetCursorScreenPos({static_cast<float>(rect.x), static_cast<float>(rect.y)});
+        draw_curve_view(context, {static_cast<float>(rect.width), static_cast<float>(rect.height)});
+        draw_failure(context, rect);
+        draw_notices(context, context.remote.notices(), rect);
+        return place;
     }
-    draw_failure(context, rect);
-    draw_notices(context, context.remote.notices(), rect);
+
+    const Tiles tiles = tiles_in(theme, shape, room);
+    const float gap = tile_gap(theme);
+    const float head = tile_head(theme, several);
+    const float width = static_cast<float>(tiles.columns) * (tiles.width + gap) - gap;
+    const float left = std::floor(corner.x + 0.5f * (room.x - width));
+    const float top = std::floor(corner.y + header);
+    const float height = static_cast<float>(tiles.rows) * (tiles.height + head);
+    const PixelRect all{static_cast<int>(left), static_cast<int>(top), static_cast<int>(width),
+                        static_cast<int>(height)};
+    int k = 0;
+    for (const std::size_t lane : lanes_on_screen(context)) {
+        const float x = left + static_cast<float>(k % tiles.columns) * (tiles.width + gap);
+        const float y = top + static_cast<float>(k / tiles.columns) * (tiles.height + head) + head;
+        place.tiles.push_back(tile_in(context, lane,
+                                      {static_cast<int>(x), static_cast<int>(y),
+                                       static_cast<int>(tiles.width), static_cast<int>(tiles.height)}));
+        if (shape.tiles > 1) ++k;
+    }
+    if (context.view.compare == Compare::Wipe && place.tiles.size() == 2) divide(place, context.view.wipe);
+
+    // A narrow field leaves room for its header on both sides.
+    const float header_width = std::max(width, std::min(room.x, theme.px(520)));
+    draw_field_header(context, place, {std::floor(corner.x + 0.5f * (room.x - header_width)), corner.y},
+                      header_width);
+    const PixelRect& first = place.tiles.front().rect;
+    context.trace.place("field", static_cast<float>(first.x), static_cast<float>(first.y),
+                        static_cast<float>(first.width), static_cast<float>(first.height));
+    draw_fields(context, place, all);
+    if (!several) draw_failure(context, all);
+    draw_notices(context, context.remote.notices(), all);
     return place;
 }
 

@@ -1,32 +1,23 @@
-// The centre: the field's title, place, colour bar and what lies over it.
+// The centre: the fields' places, titles, colour bar and what lies over them.
 #pragma once
 
+#include "app/panels/field_placement.h"
 #include "app/panels/panel.h"
-#include "app/render/field_view.h"
-#include "core/scene/state.h"
 
 namespace whorl::app {
 
-/// Where the field is on screen, for those who draw and paint on it.
-struct FieldPlacement {
-    PixelRect rect;                ///< empty if the run is drawn as a curve
-    double width = 0, height = 0;  ///< of the domain, length
-    bool covered = false;          ///< a list or the help lies over it: do not paint
-
-    bool drawn() const { return rect.width > 0 && rect.height > 0; }
-    bool contains(double x, double y) const {
-        return x >= rect.x && y >= rect.y && x < rect.x + rect.width && y < rect.y + rect.height;
-    }
-    /// The point under a pixel.
-    WorldPoint world(double x, double y) const {
-        return {(x - rect.x) / rect.width * width, (1 - (y - rect.y) / rect.height) * height};
-    }
+/// What decides how the centre is divided.
+struct FieldShape {
+    Grid grid;  ///< of the first lane
+    int lanes = 1;
+    int tiles = 1;  ///< fields side by side
 };
+FieldShape field_shape(const SessionSnapshot& session, const ViewState& view);
 
-/// Width of the largest field that fits a centre column of this height, pixels.
-float field_width_for(const Theme& theme, const Grid& grid, float height);
+/// Width that the largest fields take of a centre column of this size, pixels.
+float field_width_for(const Theme& theme, const FieldShape& shape, ImVec2 room);
 
-/// Fills the current ImGui window with all but the field itself, which lies behind it.
+/// Fills the current ImGui window with all but the fields themselves, which lie behind it.
 FieldPlacement draw_field_area(PanelContext& context);
 
 }  // namespace whorl::app

@@ -18,12 +18,17 @@ constexpr Row mouse[] = {
     {"Shift-drag", "paint an obstacle"},
     {"Ctrl-drag", "erase obstacles"},
     {"Wheel", "radius of the brush"},
+    {"Ctrl+wheel, + and -", "closer, and away"},
+    {"Middle-drag, Alt-drag", "move what is shown"},
     {"Rest on a control", "what it does, and where it comes from"},
     {"Ctrl+click a slider", "type a value"},
+    {"Right-click a control", "back to the value of all lanes"},
 };
 constexpr Row keys[] = {
-    {"Space", "play, pause"},  {".", "one step"},  {"R", "reset"},        {"1 – 9", "presets"},
-    {"F12", "picture as PNG"}, {"H", "this help"}, {"Esc", "close this"}, {"Q, Ctrl+Q", "quit"},
+    {"Space", "play, pause"},  {".", "one step"},         {"R", "reset"},
+    {"1 – 9", "presets"},      {"0", "the whole domain"}, {"Tab", "hold: the other lane, where one is shown"},
+    {"F12", "picture as PNG"}, {"H", "this help"},        {"Esc", "close this"},
+    {"Q, Ctrl+Q", "quit"},
 };
 
 void rows(const Theme& theme, const char* title, std::span<const Row> table) {

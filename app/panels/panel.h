@@ -6,10 +6,12 @@
 #include "app/panels/frame_log.h"
 #include "app/panels/history.h"
 #include "app/panels/hover_help.h"
+#include "app/panels/lane_names.h"
 #include "app/panels/remote.h"
 #include "app/panels/slabs.h"
 #include "app/panels/view_state.h"
 #include "app/render/theme.h"
+#include "app/views/lane_fields.h"
 #include "app/window/trace.h"
 
 namespace whorl::app {
@@ -21,7 +23,8 @@ struct PanelContext {
     ViewState& view;
     const History& history;
     const FrameLog& frames;
-    const Field* field;  ///< what the chosen view shows of the snapshot
+    const LaneFields& fields;  ///< what the chosen view shows of every lane
+    const LaneNames& names;    ///< of the newest snapshot's lanes
     HoverHelp& help;
     Trace& trace;
     Slabs& slabs;
@@ -42,6 +45,7 @@ std::span<const Panel> panels();
 
 // One file each.
 void draw_run_panel(PanelContext&);
+void draw_lanes_panel(PanelContext&);
 void draw_schemes_panel(PanelContext&);
 void draw_particles_panel(PanelContext&);
 void draw_view_panel(PanelContext&);

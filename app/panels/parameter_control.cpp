@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <vector>
 
 #include "app/panels/applicability.h"
 #include "app/panels/widgets.h"
@@ -30,6 +31,37 @@ std::string detail(const Parameter& p) {
     line += "--set " + p.key + "=" + (p.kind == Kind::Truth ? "true" : "…");
     if (p.kind == Kind::Number || p.kind == Kind::Integer) line += " · Ctrl+click to type";
     return line;
+}
+
+/// The lanes that have a value of their own, where the controls do not set one of these alone.
+std::vector<std::size_t> overriding(const Remote& remote, const Parameter& p) {
+    std::vector<std::size_t> lanes;
+    const std::size_t selected = remote.selected_in_setup();
+    for (std::size_t k = 0; k < remote.setup().lanes.size(); ++k) {
+        if ((!remote.lane_only() || k == selected) && remote.overridden(p, k)) lanes.push_back(k);
+    }
+    return lanes;
+}
+
+/// A stripe in the lanes' colours at the last item's left edge.
+void mark(const Theme& theme, const std::vector<std::size_t>& lanes) {
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const float height = (ImGui::GetItemRectSize().y) / static_cast<float>(lanes.size());
+    const float width = theme.px(3);
+    for (std::size_t k = 0; k < lanes.size(); ++k) {
+        const float top = std::round(low.y + static_cast<float>(k) * height);
+        ImGui::GetWindowDrawList()->AddRectFilled({low.x, top}, {low.x + width, std::round(top + height)},
+                                                  theme.lane(static_cast<int>(lanes[k])));
+    }
+}
+
+std::string overrides_help(const Remote& remote, const std::vector<std::size_t>& lanes) {
+    if (lanes.empty()) return {};
+    if (remote.lane_only()) return "This lane's own value. Right-click to go back to the value of all lanes.";
+    const std::string who = lanes.size() == remote.setup().lanes.size() ? "All lanes have values"
+                            : lanes.size() == 1                         ? "A lane has a value"
+                                                : std::to_string(lanes.size()) + " lanes have values";
+    return who + " of their own, which this does not change. Right-click to give them the value of all.";
 }
 
 void help(PanelContext& context, const Parameter& p, const std::string& idle) {
@@ -106,7 +138,15 @@ void control(PanelContext& context, const Parameter& p) {
     }
     ImGui::EndDisabled();
     context.trace.control(p.key);
-    help(context, p, idle);
+    const std::vector<std::size_t> own = overriding(context.remote, p);
+    if (!own.empty()) {
+        mark(context.theme, own);
+        const bool clicked =
+            ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) && ImGui::IsMouseClicked(1);
+        if (clicked) context.remote.drop_overrides(p);
+    }
+    const std::string overrides = overrides_help(context.remote, own);
+    help(context, p, idle + (idle.empty() || own.empty() ? "" : "\n") + overrides);
 }
 
 const Parameter* find(const std::string& key) {

@@ -9,18 +9,25 @@ namespace whorl::app {
 namespace {
 
 /// "velocity.", "scalars." or nothing: which scheme set a key belongs to.
-std::string prefix_of(std::string_view key) {
+std::string_view prefix_of(std::string_view key) {
     const std::size_t dot = key.find('.');
-    return dot == std::string_view::npos ? std::string() : std::string(key.substr(0, dot + 1));
+    return dot == std::string_view::npos ? std::string_view() : key.substr(0, dot + 1);
 }
 
-void act(const Command& command, Setup& setup) {
-    if (const auto* edit = std::get_if<SetParameter>(&command)) {
-        set_parameter(setup.scene, edit->key, edit->value);
-    } else if (const auto* other = std::get_if<Arrange>(&command)) {
-        setup.lanes = other->lanes;
-        setup.reference = other->reference;
-    }
+/// The key without the set of schemes that it belongs to.
+std::string_view bare(std::string_view key) {
+    return key.substr(prefix_of(key).size());
+}
+
+/// Whether two keys stand for the same value of a scheme set: one of both, or of the same one.
+bool meet(std::string_view a, std::string_view b) {
+    if (a == b) return true;
+    return bare(a) == bare(b) && (bare(a) == a || bare(b) == b);
+}
+
+std::size_t place_of(int id, const std::vector<int>& ids, std::size_t otherwise) {
+    const auto found = std::find(ids.begin(), ids.end(), id);
+    return found == ids.end() ? otherwise : static_cast<std::size_t>(found - ids.begin());
 }
 
 std::string label_of(const Parameter& p, double value) {
@@ -40,29 +47,62 @@ void Remote::begin_frame() {
 
 void Remote::settle() {
     while (!pending_.empty() && pending_.front().ticket <= session_->taken) pending_.pop_front();
+    if (to_select_ && to_select_->first <= session_->taken) {
+        if (to_select_->second < session_->ids.size()) select_id(session_->ids[to_select_->second]);
+        to_select_.reset();
+    }
     setup_ = session_->setup;
-    for (const Pending& p : pending_) act(p.command, setup_);
+    ids_ = session_->ids;
+    for (const Pending& p : pending_) act(p.command);
+    if (setup_.lanes.size() == 1) lane_only_ = false;
     choose_scene();
 }
 
-/// A lane that was just removed or whose edit is refused has no scene: then that of all.
+/// What a command will make of scene and lanes.
+void Remote::act(const Command& command) {
+    if (const auto* edit = std::get_if<SetParameter>(&command)) {
+        set_parameter(setup_.scene, edit->key, edit->value);
+    } else if (const auto* other = std::get_if<Arrange>(&command)) {
+        std::vector<int> ids;
+        for (const int from : other->from) {
+            const int id = from < static_cast<int>(ids_.size()) ? ids_[from] : unknown;
+            ids.push_back(std::find(ids.begin(), ids.end(), id) == ids.end() ? id : unknown);
+        }
+        ids_ = std::move(ids);
+        setup_.lanes = other->lanes;
+        setup_.reference = other->reference;
+    }
+}
+
+/// A lane whose edit is refused has no scene: then that of all.
 void Remote::choose_scene() {
     scene_ = setup_.scene;
-    if (!lane_only_ || selected() >= setup_.lanes.size()) return;
+    if (!lane_only_) return;
     try {
-        scene_ = lane_scene(setup_.scene, setup_.lanes[selected()]);
+        scene_ = lane_scene(setup_.scene, setup_.lanes[selected_in_setup()]);
     } catch (const InputError&) {
         scene_ = snapshot().scene;
     }
 }
 
 std::size_t Remote::selected() const {
-    const auto found = std::find(session_->ids.begin(), session_->ids.end(), selected_id_);
-    return found == session_->ids.end() ? 0 : static_cast<std::size_t>(found - session_->ids.begin());
+    return place_of(selected_id_, session_->ids, 0);
 }
 
-void Remote::select(std::size_t lane) {
-    selected_id_ = session_->ids[lane];
+std::size_t Remote::selected_in_setup() const {
+    return place_of(selected_id_, ids_, 0);
+}
+
+std::size_t Remote::other() const {
+    const std::size_t next = (selected() + 1) % session_->lanes.size();
+    const std::size_t before = place_of(previous_id_, session_->ids, next);
+    return before == selected() ? next : before;
+}
+
+void Remote::select_id(int id) {
+    if (id == unknown || id == selected_id_) return;
+    previous_id_ = selected_id_;
+    selected_id_ = id;
     choose_scene();
 }
 
@@ -85,15 +125,15 @@ Scene Remote::with(const Parameter& p, double value) const {
 
 void Remote::push_edit(const Parameter& p, double value) {
     SetParameter edit{p.key, p.text(value)};
-    if (lane_only_ && selected() < setup_.lanes.size()) {
-        Arrange changed{setup_.lanes, std::vector<int>(setup_.lanes.size()), setup_.reference};
-        std::iota(changed.from.begin(), changed.from.end(), 0);
-        changed.lanes[selected()].set(std::move(edit));
+    // The brush is the hand's, and the same in all lanes.
+    if (lane_only_ && p.group != Parameter::Group::Brush) {
+        Arrange changed = arrangement();
+        changed.lanes[selected_in_setup()].set(std::move(edit));
         push(std::move(changed));
     } else {
         push(std::move(edit));
     }
-    act(pending_.back().command, setup_);
+    act(pending_.back().command);
     choose_scene();
 }
 
@@ -106,7 +146,7 @@ void Remote::set(const Parameter& p, double value) {
     }
     if (!conflict(with(p, value)).empty()) {
         // A scheme that needs linear sampling brings it along; anything else is the run's to refuse.
-        const Parameter& interpolation = parameter(prefix_of(p.key) + "interpolation");
+        const Parameter& interpolation = parameter(std::string(prefix_of(p.key)) + "interpolation");
         const double linear = interpolation.parse(Linear::info.key);
         const double before = interpolation.get(scene_);
         Scene both = with(p, value);
@@ -121,20 +161,39 @@ void Remote::set(const Parameter& p, double value) {
     push_edit(p, value);
 }
 
-bool Remote::overridden(const Parameter& p) const {
-    if (selected() >= setup_.lanes.size()) return false;
-    const auto& overrides = setup_.lanes[selected()].overrides;
+bool Remote::overridden(const Parameter& p, std::size_t lane) const {
+    const auto& overrides = setup_.lanes[lane].overrides;
     return std::any_of(overrides.begin(), overrides.end(),
-                       [&](const SetParameter& o) { return o.key == p.key; });
+                       [&](const SetParameter& o) { return meet(o.key, p.key); });
 }
 
-void Remote::arrange(Arrange arrange) {
+void Remote::drop_overrides(const Parameter& p) {
+    Arrange changed = arrangement();
+    for (std::size_t k = 0; k < changed.lanes.size(); ++k) {
+        if (lane_only_ && k != selected_in_setup()) continue;
+        std::erase_if(changed.lanes[k].overrides, [&](const SetParameter& o) { return meet(o.key, p.key); });
+    }
+    if (changed.lanes != setup_.lanes) arrange(std::move(changed));
+}
+
+Arrange Remote::arrangement() const {
+    Arrange same{setup_.lanes, std::vector<int>(setup_.lanes.size()), setup_.reference};
+    std::iota(same.from.begin(), same.from.end(), 0);
+    return same;
+}
+
+bool Remote::arrange(Arrange arrange, std::optional<std::size_t> select) {
     try {
         lane_scenes({setup_.scene, arrange.lanes, arrange.reference});
-        push(std::move(arrange));
     } catch (const InputError& e) {
         notices_.warn(e.what());
+        return false;
     }
+    push(std::move(arrange));
+    act(pending_.back().command);
+    if (select) to_select_ = {pending_.back().ticket, *select};
+    choose_scene();
+    return true;
 }
 
 void Remote::load(std::string_view key, Recording recording) {

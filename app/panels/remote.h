@@ -35,7 +35,15 @@ class Remote {
 
     /// The lane that is looked at where only one can be. A place in session().lanes.
     std::size_t selected() const;
-    void select(std::size_t lane);
+    /// The lane that was selected before, or else the next one. A place in session().lanes.
+    std::size_t other() const;
+    void select(std::size_t lane) { select_id(session_->ids[lane]); }
+    /// The ids of setup()'s lanes; `unknown` for one that has not been made yet.
+    const std::vector<int>& ids() const { return ids_; }
+    static constexpr int unknown = -1;
+    /// The selected lane's place in setup().lanes.
+    std::size_t selected_in_setup() const;
+    void select_id(int id);
     /// Whether the controls set the selected lane's overrides instead of the scene of all lanes.
     bool lane_only() const { return lane_only_; }
     void set_lane_only(bool lane_only);
@@ -43,10 +51,16 @@ class Remote {
     /// Sets a parameter, of all lanes or of the selected one. A scheme that samples linearly takes linear
     /// interpolation along, and says so.
     void set(const Parameter& parameter, double value);
-    /// Whether the selected lane has a value of its own for a parameter.
-    bool overridden(const Parameter& parameter) const;
+    /// Whether a lane of setup() has a value of its own for a parameter.
+    bool overridden(const Parameter& parameter, std::size_t lane) const;
+    /// Takes the lanes' own values of a parameter away: of all lanes, or of the selected one.
+    void drop_overrides(const Parameter& parameter);
+    /// The lanes as they are chosen, each going on with its own fields: what changes of them begin with.
+    Arrange arrangement() const;
     /// Other lanes; a refusal is a notice.
-    void arrange(Arrange arrange);
+    /// @param select  the place of the lane to select then; else the selected one stays
+    /// @return whether they were sent
+    bool arrange(Arrange arrange, std::optional<std::size_t> select = {});
     void push(Command command);
     /// Begins another run; a refusal is a notice.
     void load(std::string_view key, Recording recording);
@@ -70,6 +84,7 @@ class Remote {
     };
 
     void settle();
+    void act(const Command& command);
     void choose_scene();
     /// The scene as it would be with this value.
     Scene with(const Parameter& parameter, double value) const;
@@ -82,7 +97,10 @@ class Remote {
     Scene scene_;
     std::string loaded_;
     Pace pace_;
-    int selected_id_ = 0;
+    std::vector<int> ids_;  ///< of setup_'s lanes
+    int selected_id_ = 0, previous_id_ = unknown;
+    /// The place of a lane to select once a command has acted, and that command's ticket.
+    std::optional<std::pair<std::uint64_t, std::size_t>> to_select_;
     bool lane_only_ = false;
     std::deque<Pending> pending_;
 };

@@ -44,9 +44,9 @@ void map_list(PanelContext& context) {
     const ColourMap& chosen = context.view.map();
     if (ImGui::BeginCombo("##map", std::string(chosen.label).c_str())) {
         for (const ColourMap& map : colour_maps()) {
-            if ((map.kind == ColourMap::Kind::Diverging) != (context.view.shown->middle != nullptr)) continue;
+            if (map.kind != chosen.kind) continue;
             if (ImGui::Selectable(std::string(map.label).c_str(), map.key == chosen.key)) {
-                context.view.maps[context.view.shown] = &map;
+                context.view.choose(map);
             }
             context.trace.control("map=" + std::string(map.key));
         }

@@ -6,6 +6,7 @@
 
 #include "app/panels/colour_range.h"
 #include "app/render/colour_map.h"
+#include "app/render/view_window.h"
 #include "app/views/views.h"
 
 namespace whorl::app {
@@ -16,18 +17,43 @@ inline bool available(const View& view, const Snapshot& snapshot) {
     return view.field(snapshot, scratch) != nullptr;
 }
 
+/// How several lanes share the field's place.
+enum class Compare { SideBySide, One, Wipe };
+
+/// The name of a lane that is being typed.
+struct Renaming {
+    int id = -1;  ///< of the lane; none if negative
+    bool begun = false;
+    char text[48] = "";
+};
+
 struct ViewState {
     const View* shown = &views().front();
+    bool difference = false;  ///< of each lane from the reference lane, in that view
+    Compare compare = Compare::SideBySide;
+    bool peek = false;    ///< where one lane is shown: the other one in its place
+    float wipe = 0.5f;    ///< where one lane ends and the other begins, part of the field's width
+    ViewWindow window{};  ///< part of the domain that is shown, of all lanes
     std::map<const View*, const ColourMap*> maps;  ///< chosen ones; others have the view's own
     bool crisp = false;                            ///< squares of one value each
     bool arrows = false;                           ///< velocity over the field
     bool help = false;                             ///< the keys are shown
     ColourRange range;
+    Renaming renaming;
     std::optional<double> marker;  ///< x of the plot sample under the pointer, a hairline in the others
 
-    const ColourMap& map() const {
-        const auto chosen = maps.find(shown);
-        return chosen != maps.end() ? *chosen->second : *find_colour_map(shown->map);
+    /// The colours of a view, or of differences in it, which all have the same.
+    const ColourMap& map(const View& of, bool of_difference) const {
+        const View& view = coloured(of, of_difference);
+        const auto chosen = maps.find(&view);
+        return chosen != maps.end() ? *chosen->second : *find_colour_map(view.map);
+    }
+    const ColourMap& map() const { return map(*shown, difference); }
+    void choose(const ColourMap& map) { maps[&coloured(*shown, difference)] = &map; }
+
+  private:
+    static const View& coloured(const View& of, bool of_difference) {
+        return of_difference ? app::view("difference") : of;
     }
 };
 

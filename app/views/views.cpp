@@ -60,18 +60,24 @@ const View& view(std::string_view key) {
     throw InputError("unknown view \"" + std::string(key) + "\"; " + suggestion(key, keys));
 }
 
-Range View::automatic_range(const Snapshot& snapshot, const Field& values) const {
-    const float centre = middle ? middle(snapshot) : 0;
+float View::reach(const Snapshot& snapshot, const Field& values) const {
+    const float from = centre(snapshot);
     float largest = 0;
     for (int j = 0; j < values.height(); ++j) {
         for (int i = 0; i < values.width(); ++i) {
             if (snapshot.solids[static_cast<std::size_t>(j) * values.width() + i] != 0) continue;
             const float value = static_cast<float>(values(i, j));
-            largest = std::max(largest, middle ? std::abs(value - centre) : value);
+            largest = std::max(largest, middle ? std::abs(value - from) : value);
         }
     }
-    if (!(largest > 0)) largest = 1;
-    return {middle ? centre - largest : 0, centre + largest};
+    return largest;
+}
+
+Range View::automatic_range(const Snapshot& snapshot, const Field& values) const {
+    const float from = centre(snapshot);
+    const float far = reach(snapshot, values);
+    const float span = far > 0 ? far : 1;
+    return {middle ? from - span : 0, from + span};
 }
 
 std::string describe(const SchemeSet& s) {

@@ -27,6 +27,10 @@ struct View {
     /// The value in the middle of the colours for one that diverges; null for one that grows from 0.
     float (*middle)(const Snapshot&);
 
+    /// The middle, or 0.
+    float centre(const Snapshot& snapshot) const { return middle ? middle(snapshot) : 0; }
+    /// How far fluid cells get above 0, or from the middle to either side.
+    float reach(const Snapshot& snapshot, const Field& values) const;
     /// The range that shows all of the field's fluid cells: from 0, or symmetric about the middle.
     Range automatic_range(const Snapshot& snapshot, const Field& values) const;
 };

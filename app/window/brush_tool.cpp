@@ -17,10 +17,11 @@ double length(WorldPoint a, WorldPoint b) {
 
 }  // namespace
 
-void BrushTool::take(const InputEvent& event, const FieldPlacement& field) {
+void BrushTool::take(const InputEvent& event, const FieldPlacement& place) {
     using Kind = InputEvent::Kind;
     if (event.kind == Kind::Press && mode_ == Mode::None) {
-        if (!field.drawn() || field.covered || !field.contains(event.x, event.y)) return;
+        const FieldTile* tile = place.at(event.x, event.y);
+        if (tile == nullptr) return;
         if (event.code == GLFW_MOUSE_BUTTON_RIGHT) {
             mode_ = Mode::Push;
         } else if (event.code == GLFW_MOUSE_BUTTON_LEFT) {
@@ -33,9 +34,12 @@ void BrushTool::take(const InputEvent& event, const FieldPlacement& field) {
         button_ = event.code;
         fresh_ = true;
         ended_ = false;
-        path_.assign(1, field.world(event.x, event.y));
-    } else if (event.kind == Kind::Move && mode_ != Mode::None && !ended_ && field.drawn()) {
-        path_.push_back(field.world(event.x, event.y));
+        lane_ = tile->lane;
+        path_.assign(1, place.world(*tile, event.x, event.y));
+    } else if (event.kind == Kind::Move && mode_ != Mode::None && !ended_) {
+        const auto tile = std::find_if(place.tiles.begin(), place.tiles.end(),
+                                       [&](const FieldTile& t) { return t.lane == lane_; });
+        if (tile != place.tiles.end()) path_.push_back(place.world(*tile, event.x, event.y));
     } else if (event.kind == Kind::Release && mode_ != Mode::None && event.code == button_) {
         ended_ = true;
     }

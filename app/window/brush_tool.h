@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "app/panels/field_area.h"
+#include "app/panels/field_placement.h"
 #include "app/panels/remote.h"
 #include "app/window/input.h"
 
@@ -13,8 +13,8 @@ namespace whorl::app {
 /// strokes leave a continuous trail.
 class BrushTool {
   public:
-    /// Begins a drag if a press falls on the field, follows it, and ends it.
-    void take(const InputEvent& event, const FieldPlacement& field);
+    /// Begins a drag if a press falls on a field, follows it in that field's coordinates, and ends it.
+    void take(const InputEvent& event, const FieldPlacement& place);
     /// Sends what the drag has done since the last frame. Held still, it goes on emitting while the run
     /// plays.
     void end_frame(Remote& remote);
@@ -27,6 +27,7 @@ class BrushTool {
 
     Mode mode_ = Mode::None;
     int button_ = 0;
+    std::size_t lane_ = 0;          ///< on whose field the drag began
     bool ended_ = false;            ///< released since the last frame
     bool fresh_ = false;            ///< pressed since the last frame
     std::vector<WorldPoint> path_;  ///< from where the last frame ended

@@ -3,6 +3,8 @@
 #include <epoxy/gl.h>
 #include <imgui.h>
 
+#include <algorithm>
+
 namespace whorl::app {
 
 namespace {
@@ -28,27 +30,49 @@ void FieldPainter::clear(const Theme& theme, const Slabs& slabs, int framebuffer
     glDisable(GL_SCISSOR_TEST);
 }
 
-void FieldPainter::draw(const Snapshot& snapshot, std::uint64_t serial, const Field& field,
-                        const ViewState& view, const FieldPlacement& place, const Theme& theme,
-                        int framebuffer_height) {
-    if (!place.drawn()) return;
-    if (serial_ != serial || view_ != view.shown) {
-        texture_.upload(field);
-        solids_.upload(snapshot.solids, snapshot.grid.nx, snapshot.grid.ny);
-        serial_ = serial;
-        view_ = view.shown;
+void FieldPainter::upload(const Snapshot& snapshot, const LaneFields& fields, std::size_t lane, Part& part) {
+    if (part.version == fields.version()) return;
+    part.version = fields.version();
+    part.texture.upload(*fields.of(lane));
+    if (part.mask == snapshot.solids) return;
+    part.mask = snapshot.solids;
+    part.solids.upload(part.mask, snapshot.grid.nx, snapshot.grid.ny);
+}
+
+void FieldPainter::draw(const SessionSnapshot& session, const LaneFields& fields, const ViewState& view,
+                        const FieldPlacement& place, const Theme& theme, int framebuffer_height) {
+    const ColourMap& map = view.map(fields.view(), fields.difference());
+    const auto drawing = [&](const FieldTile& tile) {
+        FieldDraw draw;
+        draw.rect = tile.rect;
+        draw.clip = tile.part;
+        draw.framebuffer_height = framebuffer_height;
+        draw.scale = theme.scale;
+        draw.lo = view.range.ends().lo;
+        draw.hi = view.range.ends().hi;
+        draw.crisp = view.crisp;
+        draw.window = place.window;
+        draw.cells = {session.lanes[tile.lane].grid.nx, session.lanes[tile.lane].grid.ny};
+        return draw;
+    };
+    // One scale for the arrows of all lanes.
+    float fastest = 0;
+    for (const FieldTile& tile : place.tiles) {
+        const Snapshot& s = session.lanes[tile.lane];
+        if (view.arrows)
+            fastest = std::max(fastest, arrows_.fastest(s.velocity, drawing(tile), {.solids = s.solids}));
     }
-    FieldDraw draw;
-    draw.rect = place.rect;
-    draw.framebuffer_height = framebuffer_height;
-    draw.scale = theme.scale;
-    draw.lo = view.range.ends().lo;
-    draw.hi = view.range.ends().hi;
-    draw.crisp = view.crisp;
-    draw.cells = {snapshot.grid.nx, snapshot.grid.ny};
-    field_view_.draw(texture_, view.map(), draw);
-    if (!solids_.empty()) solids_.draw(view.map(), draw);
-    if (view.arrows) arrows_.draw(snapshot.velocity, draw, {.solids = snapshot.solids});
+    for (const FieldTile& tile : place.tiles) {
+        if (fields.of(tile.lane) == nullptr) continue;
+        const Snapshot& s = session.lanes[tile.lane];
+        while (parts_.size() <= tile.lane) parts_.emplace_back();
+        Part& part = parts_[tile.lane];
+        upload(s, fields, tile.lane, part);
+        const FieldDraw draw = drawing(tile);
+        field_view_.draw(part.texture, map, draw);
+        if (!part.solids.empty()) part.solids.draw(map, draw);
+        if (view.arrows) arrows_.draw(s.velocity, draw, {.full_speed = fastest, .solids = s.solids});
+    }
 }
 
 }  // namespace whorl::app

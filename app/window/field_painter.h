@@ -1,11 +1,17 @@
-// The field of a snapshot in the window, behind the panels.
+// The fields of a snapshot in the window, behind the panels.
 #pragma once
 
-#include "app/panels/field_area.h"
+#include <deque>
+#include <vector>
+
+#include "app/panels/field_placement.h"
 #include "app/panels/slabs.h"
+#include "app/panels/view_state.h"
 #include "app/render/arrows.h"
 #include "app/render/field_view.h"
 #include "app/render/solids.h"
+#include "app/render/theme.h"
+#include "app/views/lane_fields.h"
 
 namespace whorl::app {
 
@@ -14,18 +20,24 @@ class FieldPainter {
   public:
     /// Clears the framebuffer to the background and the slabs.
     static void clear(const Theme& theme, const Slabs& slabs, int framebuffer_height);
-    /// Draws the field where it belongs.
-    /// @param field  what the chosen view shows of the snapshot
-    void draw(const Snapshot& snapshot, std::uint64_t serial, const Field& field, const ViewState& view,
+    /// Draws the fields where they belong. A field is uploaded once, when it is first drawn.
+    void draw(const SessionSnapshot& session, const LaneFields& fields, const ViewState& view,
               const FieldPlacement& place, const Theme& theme, int framebuffer_height);
 
   private:
+    /// What is drawn of a lane.
+    struct Part {
+        FieldTexture texture;
+        Solids solids;
+        std::vector<std::uint8_t> mask;  ///< of the solids
+        long version = 0;                ///< of the fields, when the texture was uploaded
+    };
+
+    void upload(const Snapshot& snapshot, const LaneFields& fields, std::size_t lane, Part& part);
+
     FieldView field_view_;
-    FieldTexture texture_;
-    Solids solids_;
     Arrows arrows_;
-    std::uint64_t serial_ = ~std::uint64_t{0};  ///< of the snapshot that has been uploaded
-    const View* view_ = nullptr;                ///< and of which view
+    std::deque<Part> parts_;  ///< of the lanes, as far as they have been drawn
 };
 
 }  // namespace whorl::app

@@ -42,14 +42,18 @@ void Input::install() {
                                     .mods = mods});
     });
     glfwSetScrollCallback(window_, [](GLFWwindow* window, double x, double y) {
-        of(window).collected_.push_back({.kind = Kind::Wheel, .x = x, .y = y});
+        const auto down = [&](int key) { return glfwGetKey(window, key) == GLFW_PRESS; };
+        const bool control = down(GLFW_KEY_LEFT_CONTROL) || down(GLFW_KEY_RIGHT_CONTROL);
+        of(window).collected_.push_back(
+            {.kind = Kind::Wheel, .x = x, .y = y, .mods = control ? GLFW_MOD_CONTROL : 0});
     });
     glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int, int action, int mods) {
         Input& input = of(window);
         input.repeating_ = action == GLFW_REPEAT;
-        if (action == GLFW_RELEASE) return;
-        input.collected_.push_back(
-            {.kind = Kind::Key, .code = key, .mods = mods, .repeated = input.repeating_});
+        input.collected_.push_back({.kind = action == GLFW_RELEASE ? Kind::KeyUp : Kind::Key,
+                                    .code = key,
+                                    .mods = mods,
+                                    .repeated = input.repeating_});
     });
     glfwSetCharCallback(window_, [](GLFWwindow* window, unsigned character) {
         Input& input = of(window);

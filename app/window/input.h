@@ -9,7 +9,7 @@ namespace whorl::app {
 
 /// One event. Positions are framebuffer pixels from the top left.
 struct InputEvent {
-    enum class Kind { Move, Press, Release, Wheel, Character, Key };
+    enum class Kind { Move, Press, Release, Wheel, Character, Key, KeyUp };
 
     Kind kind;
     double x = 0, y = 0;    ///< of the pointer; of the wheel its turn

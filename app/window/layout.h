@@ -1,8 +1,8 @@
 // Three columns: controls, field, measures.
 #pragma once
 
+#include "app/panels/field_area.h"
 #include "app/render/theme.h"
-#include "core/grid/grid.h"
 
 namespace whorl::app {
 
@@ -17,7 +17,7 @@ struct Layout {
     Column controls, field, measures;
 };
 
-/// The field gets the most; what it cannot use, because its domain has another shape, widens the plots.
-Layout lay_out(const Theme& theme, const Grid& grid, float width, float height);
+/// The fields get the most; what they cannot use, because their domain has another shape, widens the plots.
+Layout lay_out(const Theme& theme, const FieldShape& shape, float width, float height);
 
 }  // namespace whorl::app

@@ -42,6 +42,14 @@ double total_density(const Snapshot& s) {
     return sum * s.grid.cell();
 }
 
+/// `,"total_density_1":…` and so on for every lane.
+std::string densities(const SessionSnapshot& session) {
+    std::string line;
+    for (std::size_t k = 0; k < session.lanes.size(); ++k)
+        line += ",\"total_density_" + std::to_string(k + 1) + "\":" + number(total_density(session.lanes[k]));
+    return line;
+}
+
 }  // namespace
 
 Trace::Trace(const std::string& path) {
@@ -90,7 +98,7 @@ void Trace::frame(const FrameLog& frames, double steps_per_second, bool playing,
                  "{\"event\":\"frame\",\"fps\":%s,\"frame_ms\":%s,\"work_ms\":%s,\"steps_per_second\":%s,"
                  "\"playing\":%s,\"run\":%d,\"step\":%ld,\"advector\":%s,\"velocity_advector\":%s,"
                  "\"interpolation\":%s,\"zeta\":%d,\"nx\":%d,\"density_percent\":%s,\"total_density\":%s,"
-                 "\"solids\":%ld,\"brush_radius\":%s}\n",
+                 "\"solids\":%ld,\"brush_radius\":%s,\"lanes\":%zu%s}\n",
                  number(frames.frames_per_second()).c_str(),
                  number(static_cast<double>(frames.intervals().back())).c_str(),
                  number(static_cast<double>(frames.work().back())).c_str(), number(steps_per_second).c_str(),
@@ -98,7 +106,8 @@ void Trace::frame(const FrameLog& frames, double steps_per_second, bool playing,
                  quoted(scene.scalars.advector.key()).c_str(), quoted(scene.velocity.advector.key()).c_str(),
                  quoted(scene.scalars.interpolation.key()).c_str(), scene.scalars.zeta, s.grid.nx,
                  number(s.measures.density_percent).c_str(), number(total_density(s)).c_str(),
-                 std::count(s.solids.begin(), s.solids.end(), 1), number(scene.brush.radius).c_str());
+                 std::count(s.solids.begin(), s.solids.end(), 1), number(scene.brush.radius).c_str(),
+                 session.lanes.size(), densities(session).c_str());
     std::fflush(file_);
 }
 

@@ -77,38 +77,42 @@ void Workbench::frame() {
     trace_.frame(frames_, remote_.steps_per_second(), remote_.playing(), remote_.session(), clock_.time());
 }
 
-/// Takes the newest state, its measures, and the range of what is shown.
+/// Takes the newest state, its measures, and what is shown of it with its range.
 void Workbench::take_run() {
     remote_.begin_frame();
+    const SessionSnapshot& session = remote_.session();
     const bool new_run = player_->take_measures(measures_);
-    history_.take(measures_, remote_.session().ids[remote_.selected()], new_run);
+    history_.take(measures_, session.ids[remote_.selected()], new_run);
     measures_.clear();
-    const Snapshot& s = remote_.snapshot();
-    if (!available(*view_.shown, s)) view_.shown = &views().front();
-    if (serial_ != remote_.session().serial || ranged_ != view_.shown) {
-        field_ = view_.shown->field(s, scratch_);
-        span_ = view_.shown->automatic_range(s, *field_);
-        serial_ = remote_.session().serial;
-        ranged_ = view_.shown;
+    names_.update(session.setup);
+    if (!available(*view_.shown, remote_.snapshot())) view_.shown = &views().front();
+    if (session.lanes.size() == 1) {
+        view_.compare = Compare::SideBySide;
+        view_.difference = false;
     }
-    // A field that stands still is shown on its own range, so that its picture depends on the step alone.
+    fields_.update(session, *view_.shown, view_.difference);
+    // Fields that stand still are shown on their own range, so that their picture depends on the step alone.
     const double seconds = remote_.playing() ? 1e-3 * clock_.interval_ms() : ColourRange::at_once;
-    view_.range.follow(*view_.shown, span_, seconds);
+    view_.range.follow(*view_.shown, view_.difference, fields_.span(), seconds);
 }
 
 void Workbench::act_on(const InputEvent& event) {
     using Kind = InputEvent::Kind;
+    if (event.kind == Kind::Character && ImGui::GetIO().WantTextInput) return;
+    if (view_tool_.take(event, place_, view_)) return;
     switch (event.kind) {
         case Kind::Character:
-            if (!ImGui::GetIO().WantTextInput) type(event);
+            type(event);
             break;
         case Kind::Key:
             press_key(event);
             break;
+        case Kind::KeyUp:
+            if (event.code == GLFW_KEY_TAB) view_.peek = false;
+            break;
         case Kind::Wheel: {
             const ImVec2 at = ImGui::GetIO().MousePos;
-            if (place_.covered || !place_.contains(static_cast<double>(at.x), static_cast<double>(at.y)))
-                break;
+            if (place_.at(static_cast<double>(at.x), static_cast<double>(at.y)) == nullptr) break;
             const double radius = wheel_radius(remote_.scene().brush.radius, event.y);
             remote_.set(parameter("brush.radius"), radius);
             break;
@@ -121,6 +125,7 @@ void Workbench::act_on(const InputEvent& event) {
 void Workbench::press_key(const InputEvent& event) {
     if (event.repeated) return;
     if (event.code == GLFW_KEY_F12) pictures_.ask();
+    if (event.code == GLFW_KEY_TAB && !ImGui::GetIO().WantTextInput) view_.peek = true;
     if (event.code == GLFW_KEY_ESCAPE) view_.help = false;
     if (event.code == GLFW_KEY_Q && (event.mods & GLFW_MOD_CONTROL) != 0) window_.close();
 }
@@ -151,12 +156,13 @@ void Workbench::type(const InputEvent& event) {
 }
 
 void Workbench::draw() {
-    const Snapshot& s = remote_.snapshot();
+    const SessionSnapshot& session = remote_.session();
     const Theme& theme = window_.theme();
-    PanelContext context{theme, remote_, view_, history_, frames_, field_, help_, trace_, slabs_};
+    PanelContext context{theme, remote_, view_, history_, frames_, fields_, names_, help_, trace_, slabs_};
     slabs_.clear();
-    const Layout layout = lay_out(theme, s.grid, static_cast<float>(window_.framebuffer_width()),
-                                  static_cast<float>(window_.framebuffer_height()));
+    const Layout layout =
+        lay_out(theme, field_shape(session, view_), static_cast<float>(window_.framebuffer_width()),
+                static_cast<float>(window_.framebuffer_height()));
 
     begin_panel("controls", layout, layout.controls, theme, slabs_);
     draw_control_column(context);
@@ -172,10 +178,13 @@ void Workbench::draw() {
     ImGui::End();
     draw_help_overlay(context);
     help_.end_frame();
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    if (on_wipe_line(place_, static_cast<double>(mouse.x), static_cast<double>(mouse.y)))
+        ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     ImGui::Render();
     // A view chosen this frame has its field from the next one on.
     painter_.clear(theme, slabs_, window_.framebuffer_height());
-    painter_.draw(s, remote_.session().serial, *field_, view_, place_, theme, window_.framebuffer_height());
+    painter_.draw(session, fields_, view_, place_, theme, window_.framebuffer_height());
 }
 
 }  // namespace whorl::app

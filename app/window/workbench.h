@@ -11,6 +11,7 @@
 #include "app/window/frame_clock.h"
 #include "app/window/glfw_window.h"
 #include "app/window/picture_taker.h"
+#include "app/window/view_tool.h"
 
 namespace whorl::app {
 
@@ -41,15 +42,13 @@ class Workbench {
     FrameLog frames_;
     HoverHelp help_;
     BrushTool brush_;
+    ViewTool view_tool_;
     FieldPlacement place_;
     Slabs slabs_;
     FieldPainter painter_;
     PictureTaker pictures_;
-    Field scratch_;                 ///< for views that are worked out
-    const Field* field_ = nullptr;  ///< what the chosen view shows
-    std::uint64_t serial_ = ~std::uint64_t{0};
-    const View* ranged_ = nullptr;
-    Range span_{0, 1};  ///< of the field on screen
+    LaneFields fields_;
+    LaneNames names_;
     std::vector<StepMeasures> measures_;
     std::unique_ptr<Player> player_;
     Remote remote_;

@@ -25,7 +25,7 @@ struct Painted {
     Notices notices;
     Remote remote{player, notices};
     BrushTool brush;
-    FieldPlacement field{.rect = {100, 50, 400, 400}, .width = 40, .height = 40};
+    FieldPlacement field{.tiles = {{0, {100, 50, 400, 400}, {100, 50, 400, 400}, 40, 40}}};
 
     Painted() { remote.begin_frame(); }
     void event(Kind kind, double x, double y, int button = 0, int mods = 0) {

@@ -30,6 +30,8 @@ std::string drawn(HeadlessUi& ui, const Scene& scene, bool help) {
         History history;
         FrameLog frames;
         frames.add(16.7, 5);
+        LaneFields fields;
+        LaneNames names;
         HoverHelp hover;
         Trace trace(path);
         Slabs slabs;
@@ -38,9 +40,9 @@ std::string drawn(HeadlessUi& ui, const Scene& scene, bool help) {
             std::vector<StepMeasures> measures;
             const bool new_run = player.take_measures(measures);
             history.take(measures, 0, new_run);
-            Field scratch;
-            const Field* field = view.shown->field(remote.snapshot(), scratch);
-            PanelContext context{ui.theme, remote, view, history, frames, field, hover, trace, slabs};
+            fields.update(remote.session(), *view.shown, view.difference);
+            names.update(remote.session().setup);
+            PanelContext context{ui.theme, remote, view, history, frames, fields, names, hover, trace, slabs};
             ui.frame([&] {
                 draw_control_column(context);
                 draw_measure_column(context);

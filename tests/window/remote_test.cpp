@@ -12,7 +12,8 @@ namespace whorl::app {
 namespace {
 
 struct Steered {
-    explicit Steered(Scene scene = {}) : player({.setup = {.scene = std::move(scene)}}, 1) { remote.begin_frame(); }
+    explicit Steered(Scene scene = {}) : Steered(whorl::Setup{.scene = std::move(scene)}) {}
+    explicit Steered(whorl::Setup setup) : player({.setup = std::move(setup)}, 1) { remote.begin_frame(); }
 
     Player player;
     Notices notices;
@@ -66,6 +67,115 @@ TEST(Remote, AValueOutOfRangeIsANotice) {
     s.remote.set(parameter("dt"), -1);
     EXPECT_EQ(s.notices.shown().size(), 1u);
     EXPECT_EQ(s.remote.scene(), s.remote.snapshot().scene);
+}
+
+// ---- lanes
+
+whorl::Setup three_lanes() {
+    return {.scene = {},
+            .lanes = {{.name = "a"}, {.name = "b", .overrides = {{"zeta", "3"}}}, {.name = "c"}}};
+}
+
+/// Frames until nothing is pending.
+bool settled(Steered& s) {
+    for (int k = 0; k < 500; ++k) {
+        s.remote.begin_frame();
+        if (s.remote.setup() == s.remote.session().setup && s.remote.session().serial > 0) return true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    return false;
+}
+
+TEST(Remote, SetsOneLaneOrAll) {
+    Steered s(three_lanes());
+    s.remote.select(2);
+    s.remote.set_lane_only(true);
+    s.choose("zeta", "4");
+    EXPECT_EQ(s.remote.scene().scalars.zeta, 4) << "at once";
+    ASSERT_TRUE(settled(s));
+    EXPECT_EQ(s.remote.session().lanes[0].scene.scalars.zeta, Scene{}.scalars.zeta);
+    EXPECT_EQ(s.remote.session().lanes[2].scene.scalars.zeta, 4);
+    s.remote.set_lane_only(false);
+    EXPECT_EQ(s.remote.scene().scalars.zeta, Scene{}.scalars.zeta);
+    s.choose("zeta", "1");
+    ASSERT_TRUE(settled(s));
+    EXPECT_EQ(s.remote.session().lanes[0].scene.scalars.zeta, 1);
+    EXPECT_EQ(s.remote.session().lanes[1].scene.scalars.zeta, 3) << "its own stays";
+    EXPECT_EQ(s.remote.session().lanes[2].scene.scalars.zeta, 4);
+}
+
+TEST(Remote, DropsOverridesOfOneLaneOrOfAll) {
+    Steered s(three_lanes());
+    const Parameter& zeta = parameter("zeta");
+    const Parameter& velocity_zeta = parameter("velocity.zeta");
+    EXPECT_TRUE(s.remote.overridden(zeta, 1));
+    EXPECT_TRUE(s.remote.overridden(velocity_zeta, 1)) << "one of both sets is one of each";
+    EXPECT_FALSE(s.remote.overridden(zeta, 0));
+    EXPECT_FALSE(s.remote.overridden(parameter("weights"), 1));
+    s.remote.select(0);
+    s.remote.set_lane_only(true);
+    s.remote.drop_overrides(zeta);
+    EXPECT_TRUE(s.remote.overridden(zeta, 1)) << "that is another lane's";
+    s.remote.set_lane_only(false);
+    s.remote.drop_overrides(zeta);
+    EXPECT_FALSE(s.remote.overridden(zeta, 1));
+    ASSERT_TRUE(settled(s));
+    EXPECT_EQ(s.remote.session().lanes[1].scene, s.remote.session().lanes[0].scene);
+}
+
+TEST(Remote, TheBrushIsTheSameInAllLanes) {
+    Steered s(three_lanes());
+    s.remote.set_lane_only(true);
+    s.choose("brush.radius", "3");
+    EXPECT_EQ(s.remote.scene().brush.radius, 3);
+    ASSERT_TRUE(settled(s));
+    for (const Snapshot& lane : s.remote.session().lanes) EXPECT_EQ(lane.scene.brush.radius, 3);
+}
+
+TEST(Remote, SelectionStaysWithALaneThatMovesAndGoesToOneThatIsAdded) {
+    Steered s(three_lanes());
+    s.remote.select(1);
+    Arrange moved = s.remote.arrangement();
+    std::swap(moved.lanes[0], moved.lanes[1]);
+    std::swap(moved.from[0], moved.from[1]);
+    EXPECT_TRUE(s.remote.arrange(moved));
+    EXPECT_EQ(s.remote.selected_in_setup(), 0u) << "at once";
+    s.remote.set_lane_only(true);
+    s.choose("zeta", "4");  // before the lanes have moved
+    ASSERT_TRUE(settled(s));
+    EXPECT_EQ(s.remote.selected(), 0u);
+    EXPECT_EQ(s.remote.session().lanes[0].scene.scalars.zeta, 4);
+    EXPECT_EQ(s.remote.session().setup.lanes[0].name, "b");
+
+    Arrange more = s.remote.arrangement();
+    more.lanes.push_back({.name = "d"});
+    more.from.push_back(0);
+    EXPECT_TRUE(s.remote.arrange(more, 3));
+    EXPECT_EQ(s.remote.ids().back(), Remote::unknown);
+    ASSERT_TRUE(settled(s));
+    EXPECT_EQ(s.remote.selected(), 3u);
+    EXPECT_EQ(s.remote.other(), 0u) << "the one before";
+
+    Arrange fewer = s.remote.arrangement();
+    fewer.lanes.resize(1);
+    fewer.from.resize(1);
+    EXPECT_TRUE(s.remote.arrange(fewer, 0));
+    ASSERT_TRUE(settled(s));
+    EXPECT_EQ(s.remote.selected(), 0u);
+    EXPECT_EQ(s.remote.other(), 0u);
+    EXPECT_FALSE(s.remote.lane_only()) << "one lane is all lanes";
+}
+
+TEST(Remote, LanesThatCannotBeAreANotice) {
+    Steered s(three_lanes());
+    s.choose("resolution", "512");
+    ASSERT_TRUE(settled(s));
+    Arrange finer = s.remote.arrangement();
+    finer.lanes[2].refine = 8;
+    EXPECT_FALSE(s.remote.arrange(finer));
+    ASSERT_EQ(s.notices.shown().size(), 1u);
+    EXPECT_NE(s.notices.shown()[0].text.find("resolution"), std::string::npos);
+    EXPECT_EQ(s.remote.setup(), s.remote.session().setup);
 }
 
 TEST(Applicability, SaysWhyAControlHasNoEffect) {

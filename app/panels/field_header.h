@@ -1,0 +1,15 @@
+// The lines above the fields: what is shown, the value under the pointer, and how lanes are compared.
+#pragma once
+
+#include "app/panels/field_placement.h"
+#include "app/panels/panel.h"
+
+namespace whorl::app {
+
+/// With the air below it, pixels.
+float field_header_height(const Theme& theme, bool several);
+
+/// Draws at `corner`, `width` pixels wide.
+void draw_field_header(PanelContext& context, const FieldPlacement& place, ImVec2 corner, float width);
+
+}  // namespace whorl::app

@@ -1,0 +1,93 @@
+// The three columns of the window for a set of lanes, drawn without a display.
+#pragma once
+
+#include <chrono>
+#include <thread>
+
+#include "app/panels/control_column.h"
+#include "app/panels/field_area.h"
+#include "app/panels/measure_column.h"
+#include "app/window/layout.h"
+#include "tests/support/headless_ui.h"
+
+namespace whorl::app {
+
+struct LanesWindow {
+    LanesWindow(HeadlessUi& headless, Recording recording, const std::string& trace_path = {})
+        : ui(headless), player(std::move(recording), 1), trace(trace_path) {
+        frames.add(16.7, 5);
+        remote.begin_frame();
+    }
+
+    /// A frame, as the workbench makes it.
+    void frame() {
+        remote.begin_frame();
+        const SessionSnapshot& session = remote.session();
+        std::vector<StepMeasures> measures;
+        const bool new_run = player.take_measures(measures);
+        history.take(measures, session.ids[remote.selected()], new_run);
+        names.update(session.setup);
+        fields.update(session, *view.shown, view.difference);
+        view.range.follow(*view.shown, view.difference, fields.span(), ColourRange::at_once);
+        slabs.clear();
+        PanelContext context{ui.theme, remote, view, history, frames, fields, names, hover, trace, slabs};
+        const ImVec2 size = ImGui::GetIO().DisplaySize;
+        layout = lay_out(ui.theme, field_shape(session, view), size.x, size.y);
+        ui.frame([&] {
+            column("controls", layout.controls, [&] { draw_control_column(context); });
+            ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+            column("field", layout.field, [&] { place = draw_field_area(context); });
+            ImGui::PopStyleVar();
+            column("measures", layout.measures, [&] { draw_measure_column(context); });
+            hover.end_frame();
+        });
+    }
+    /// Frames until something is so.
+    template <class IsSo>
+    bool eventually(IsSo&& is_so, int patience = 500) {
+        for (int k = 0; k < patience; ++k) {
+            frame();
+            if (is_so()) return true;
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        }
+        return false;
+    }
+    /// Moves the pointer there and presses a button, over some frames, as ImGui needs them.
+    void click(ImVec2 at, int button = 0) {
+        ImGuiIO& io = ImGui::GetIO();
+        io.MousePos = at;
+        frame();
+        io.MouseDown[button] = true;
+        frame();
+        io.MouseDown[button] = false;
+        frame();
+        io.MousePos = {-FLT_MAX, -FLT_MAX};
+    }
+
+    HeadlessUi& ui;
+    Player player;
+    Notices notices;
+    Remote remote{player, notices};
+    ViewState view;
+    History history;
+    FrameLog frames;
+    LaneFields fields;
+    LaneNames names;
+    HoverHelp hover;
+    Trace trace;
+    Slabs slabs;
+    Layout layout{};
+    FieldPlacement place;
+
+  private:
+    template <class Draw>
+    void column(const char* name, const Column& where, Draw&& draw) {
+        ImGui::SetNextWindowPos({where.x, layout.top});
+        ImGui::SetNextWindowSize({where.width, layout.height});
+        ImGui::Begin(name, nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings);
+        draw();
+        ImGui::End();
+    }
+};
+
+}  // namespace whorl::app
