@@ -21,11 +21,9 @@ bool button(PanelContext& context, const char* label, const char* key, float wid
     return pressed;
 }
 
-void wrapped(ImFont* font, ImU32 colour, std::string_view line) {
+void wrapped(ImFont* font, ImU32 colour, std::string_view line, float margin = 0) {
     ImGui::PushFont(font);
-    ImGui::PushTextWrapPos(0);
-    text(colour, line);
-    ImGui::PopTextWrapPos();
+    draw_wrapped(colour, line, margin);
     ImGui::PopFont();
 }
 
@@ -34,10 +32,13 @@ void draw_top(PanelContext& context, LessonWalk& walk) {
     const Theme& theme = context.theme;
     ImGui::AlignTextToFramePadding();
     ImGui::PushFont(theme.bold);
-    ImGui::TextUnformatted("Lessons");
+    const bool reading = walk.lesson() != nullptr;
+    const std::string place = reading ? "Step " + std::to_string(walk.place() + 1) + " of " +
+                                            std::to_string(walk.lesson()->steps.size())
+                                      : "Lessons";
+    text(theme.palette.text, place);
     ImGui::PopFont();
     const float width = theme.px(56);
-    const bool reading = walk.lesson() != nullptr;
     const float taken = reading ? 2 * width + gap() : width;
     ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - taken);
     if (reading) {
@@ -67,9 +68,10 @@ void draw_entry(PanelContext& context, LessonWalk& walk, const Lesson& lesson, i
     ImGui::SetCursorPosX(left + theme.px(8));
     text(theme.palette.accent, std::to_string(number));
     ImGui::SameLine(indent);
-    wrapped(theme.bold, theme.palette.text, lesson.title);
+    const float margin = theme.px(8);
+    wrapped(theme.bold, theme.palette.text, lesson.title, margin);
     ImGui::SetCursorPosX(indent);
-    wrapped(theme.small, theme.palette.text_dim, lesson.summary);
+    wrapped(theme.small, theme.palette.text_dim, lesson.summary, margin);
     ImGui::Dummy({0, theme.px(1)});
     ImGui::EndGroup();
     const float height = ImGui::GetItemRectSize().y;
@@ -139,11 +141,8 @@ void draw_buttons(PanelContext& context, LessonWalk& walk) {
 
 void draw_step(PanelContext& context, LessonWalk& walk) {
     const Theme& theme = context.theme;
-    const Lesson& lesson = *walk.lesson();
     const LessonStep& step = walk.step();
-    wrapped(theme.small, theme.palette.text_dim,
-            lesson.title + "  ·  step " + std::to_string(walk.place() + 1) + " of " +
-                std::to_string(lesson.steps.size()));
+    wrapped(theme.small, theme.palette.text_dim, walk.lesson()->title);
     wrapped(theme.title, theme.palette.text, step.title);
     const float spacing = ImGui::GetStyle().ItemSpacing.y;
     const float below = ImGui::GetFrameHeight() + theme.px(3) + 2 * spacing;
@@ -163,19 +162,12 @@ void draw_step(PanelContext& context, LessonWalk& walk) {
     draw_buttons(context, walk);
 }
 
-void take_keys(PanelContext& context, LessonWalk& walk) {
-    if (ImGui::GetIO().WantTextInput) return;
-    if (ImGui::IsKeyPressed(ImGuiKey_PageDown, false)) walk.next(context.remote);
-    if (ImGui::IsKeyPressed(ImGuiKey_PageUp, false)) walk.back(context.remote);
-}
-
 }  // namespace
 
 void draw_lesson_panel(PanelContext& context, LessonWalk& walk) {
     walk.update(context.remote, context.view);
     draw_top(context, walk);
     if (walk.lesson() == nullptr) return draw_list(context, walk);
-    take_keys(context, walk);
     draw_step(context, walk);
 }
 

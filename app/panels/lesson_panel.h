@@ -9,7 +9,7 @@ namespace whorl::app {
 /// The least width of the column that the panel is drawn into, points: lessons' formulas fit it.
 inline constexpr float lesson_column_width = 300;
 
-/// Draws into the current window. PageDown and PageUp turn to the next step and back.
+/// Draws into the current window.
 void draw_lesson_panel(PanelContext& context, LessonWalk& walk);
 
 }  // namespace whorl::app

@@ -2,21 +2,42 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+
 #include "app/panels/widgets.h"
 
 namespace whorl::app {
 namespace {
 
-void wrapped(ImU32 colour, std::string_view line) {
-    ImGui::PushTextWrapPos(0);
-    text(colour, line);
-    ImGui::PopTextWrapPos();
+float width_of(std::string_view text) {
+    return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
+}
+
+bool is_sign(std::string_view word) {
+    static constexpr std::string_view signs[] = {"=", "+", "−", "·", "×", "/", "≤", "<", ">", "±"};
+    return std::find(std::begin(signs), std::end(signs), word) != std::end(signs);
+}
+
+/// The words up to where a line may end, which are taken off the text with the space that follows.
+std::string_view take_words(std::string_view& text) {
+    std::size_t end = 0;
+    for (std::size_t begin = 0;;) {
+        end = std::min(text.find(' ', begin), text.size());
+        const std::string_view word = text.substr(begin, end - begin);
+        if (end == text.size()) break;
+        const std::string_view next = text.substr(end + 1, text.find(' ', end + 1) - end - 1);
+        if (!is_sign(word) && !is_sign(next) && !next.starts_with('%')) break;
+        begin = end + 1;
+    }
+    const std::string_view words = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    return words;
 }
 
 void draw_heading(const Theme& theme, const Block& block) {
     ImGui::Dummy({0, theme.px(2)});
     ImGui::PushFont(theme.bold);
-    wrapped(theme.palette.text, block.text);
+    draw_wrapped(theme.palette.text, block.text);
     ImGui::PopFont();
 }
 
@@ -25,7 +46,7 @@ void draw_item(const Theme& theme, std::string_view line) {
     const float left = ImGui::GetCursorPosX();
     text(theme.palette.accent, "•");
     ImGui::SameLine(left + indent);
-    wrapped(theme.palette.text, line);
+    draw_wrapped(theme.palette.text, line);
 }
 
 /// On a card, with its lines as they are; a line that does not fit is wrapped all the same.
@@ -50,11 +71,30 @@ void draw_formula(const Theme& theme, Slabs& slabs, const Block& block) {
 
 }  // namespace
 
+std::string broken(std::string_view text, float width) {
+    std::string lines, line;
+    while (!text.empty()) {
+        const std::string_view words = take_words(text);
+        std::string longer = line.empty() ? std::string(words) : line + ' ' + std::string(words);
+        if (line.empty() || width_of(longer) <= width) {
+            line = std::move(longer);
+            continue;
+        }
+        lines += line + '\n';
+        line = words;
+    }
+    return lines + line;
+}
+
+void draw_wrapped(ImU32 colour, std::string_view line, float margin) {
+    text(colour, broken(line, ImGui::GetContentRegionAvail().x - margin));
+}
+
 void draw_blocks(const Theme& theme, Slabs& slabs, std::span<const Block> blocks) {
     for (const Block& block : blocks) {
         switch (block.kind) {
             case Block::Kind::Paragraph:
-                wrapped(theme.palette.text, block.text);
+                draw_wrapped(theme.palette.text, block.text);
                 break;
             case Block::Kind::Heading:
                 draw_heading(theme, block);

@@ -1,5 +1,8 @@
 #include "app/panels/lesson_walk.h"
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
 namespace whorl::app {
 namespace {
 
@@ -52,6 +55,18 @@ void LessonWalk::show(Remote& remote) {
     remote.play(false);
     left_ = remote.session().run;
     remote.load(step().scene, step().recording);
+}
+
+bool LessonWalk::take(const InputEvent& event, Remote& remote) {
+    if (!open_ || lesson_ == nullptr || event.kind != InputEvent::Kind::Key) return false;
+    if (event.code != GLFW_KEY_PAGE_DOWN && event.code != GLFW_KEY_PAGE_UP) return false;
+    if (event.repeated) return true;
+    if (event.code == GLFW_KEY_PAGE_DOWN) {
+        next(remote);
+    } else {
+        back(remote);
+    }
+    return true;
 }
 
 bool LessonWalk::begun(const Remote& remote) const {

@@ -7,6 +7,7 @@
 #include "app/lessons/lesson.h"
 #include "app/panels/remote.h"
 #include "app/panels/view_state.h"
+#include "app/window/input.h"
 
 namespace whorl::app {
 
@@ -34,6 +35,9 @@ class LessonWalk {
     void back(Remote& remote);
     /// The step's run and view again, whatever has been changed since.
     void show(Remote& remote);
+    /// Turns to the next step at PageDown and back at PageUp, while a lesson is read.
+    /// @return whether the event was one of them
+    bool take(const InputEvent& event, Remote& remote);
     /// Looks at the shown run as the step says; call once a frame.
     void update(Remote& remote, ViewState& view);
     /// Whether another step was entered since the last call.
