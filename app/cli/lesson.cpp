@@ -81,7 +81,7 @@ void print_list() {
         std::printf("  %-12s %s\n", lesson.key.c_str(), lesson.title.c_str());
         print_wrapped(lesson.summary, std::string(15, ' '));
     }
-    std::puts("\nwhorl lesson KEY prints one; in the window they are chosen under Lessons.");
+    std::puts("\nwhorl lesson KEY prints one; --check runs its steps and measures what they claim.");
 }
 
 /// Runs a lesson's steps. @return how many claims do not hold

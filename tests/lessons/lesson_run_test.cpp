@@ -1,8 +1,11 @@
 // The lessons that come with the program, and how claims are measured.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <fstream>
 #include <set>
+#include <sstream>
 
 #include "app/lessons/lesson_run.h"
 #include "core/scene/error.h"
@@ -93,6 +96,22 @@ TEST(LessonRun, MeasuresWhatASessionMeasures) {
     const SessionSnapshot snapshot = run.look(two);
     EXPECT_EQ(snapshot.step, 12);
     EXPECT_EQ(snapshot.digest(), session.digest());
+}
+
+TEST(LessonRun, TheDocumentsExampleHolds) {
+    std::ifstream file(WHORL_TEST_DATA "/../docs/lessons.md");
+    std::stringstream document;
+    document << file.rdbuf();
+    const std::string text = document.str(), opening = "```toml\n";
+    const std::size_t begin = text.find(opening) + opening.size();
+    const Lesson lesson = parse_lesson(text.substr(begin, text.find("```", begin) - begin), "example");
+    ASSERT_EQ(lesson.steps.size(), 2u);
+    Pool pool(1);
+    LessonRun run(pool);
+    for (const LessonStep& step : lesson.steps) {
+        run.enter(step);
+        for (const Claim& claim : step.claims) EXPECT_TRUE(claim.holds(run.measure(claim))) << step.title;
+    }
 }
 
 TEST(LessonRun, AnUnknownNumberHoldsNothing) {
