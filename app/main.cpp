@@ -44,6 +44,8 @@ int act(const Arguments& arguments) {
                 return run_converge(a);
             } else if constexpr (std::is_same_v<A, ListArguments>) {
                 return run_list(a);
+            } else if constexpr (std::is_same_v<A, LessonArguments>) {
+                return run_lesson(a);
             } else {
                 return open_window(a);
             }

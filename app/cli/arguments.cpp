@@ -23,6 +23,7 @@ constexpr const char* examples =
     "  whorl compare plume --lanes thesis-five --out sheet.png\n"
     "  whorl explain plume --at 200 --cell 20,12 --set interpolation=fritsch-carlson\n"
     "  whorl converge rotation --set advector=aslam --resolutions 40,80,160\n"
+    "  whorl lesson smear\n"
     "  whorl list parameters";
 
 void add_set(CLI::App& verb, std::vector<std::string>& set) {
@@ -188,6 +189,16 @@ Arguments parse_arguments(int argc, char** argv) {
     list_verb->add_option("what", list.what, "advectors, interpolations, presets, parameters ...")
         ->type_name("WHAT");
 
+    LessonArguments lesson;
+    CLI::App* lesson_verb = app.add_subcommand(
+        "lesson", "what there is to learn: a list, a lesson's text, or a check of its claims");
+    lesson_verb->add_option("lesson", lesson.lesson, "a lesson, or a file of one; else all")
+        ->type_name("KEY|FILE");
+    lesson_verb->add_flag("--check", lesson.check, "run the steps and check what they claim");
+    lesson_verb->add_option("--pictures", lesson.pictures, "draw each step's moment into this folder")
+        ->type_name("FOLDER");
+    add_threads(*lesson_verb, lesson.threads);
+
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& e) {
@@ -216,6 +227,7 @@ Arguments parse_arguments(int argc, char** argv) {
         return converge;
     }
     if (list_verb->parsed()) return list;
+    if (lesson_verb->parsed()) return lesson;
     return window;
 }
 

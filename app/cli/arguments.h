@@ -80,11 +80,19 @@ struct ListArguments {
     std::string what;
 };
 
+/// `whorl lesson [KEY|FILE]`
+struct LessonArguments {
+    std::string lesson;    ///< empty for all
+    bool check = false;    ///< its claims
+    std::string pictures;  ///< folder; empty for none
+    int threads = 0;
+};
+
 struct ExperimentArguments : RunArguments {};
 
 /// What was asked for, or the exit code where all has been said (`--help`, a wrong option).
 using Arguments = std::variant<int, WindowArguments, RunArguments, ExperimentArguments, CompareArguments,
-                               ExplainArguments, ConvergeArguments, ListArguments>;
+                               ExplainArguments, ConvergeArguments, ListArguments, LessonArguments>;
 
 /// @throws InputError for a list that is not one
 Arguments parse_arguments(int argc, char** argv);

@@ -21,6 +21,10 @@ int run_explain(const ExplainArguments& arguments);
 /// Prints errors and rates of an experiment on ever finer grids.  @throws as run_scene
 int run_converge(const ConvergeArguments& arguments);
 
+/// Lists lessons, prints one, or runs its steps and checks what they claim.
+/// @throws InputError, NoOpenGl, std::runtime_error if a picture cannot be written
+int run_lesson(const LessonArguments& arguments);
+
 /// Prints what there is to choose from.  @throws InputError
 int run_list(const ListArguments& arguments);
 

@@ -111,6 +111,12 @@ void draw_measure_column(PanelContext& context) {
     ImGui::PushFont(theme.title);
     ImGui::TextUnformatted("Measures");
     ImGui::PopFont();
+    const float width = theme.px(84);
+    ImGui::SameLine(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - width);
+    if (ImGui::Button("Lessons", {width, 0})) context.view.lessons = true;
+    context.trace.control("lessons");
+    context.help.item(theme, "lessons",
+                      {"Lessons", "Walks through what advection does to smoke, and why. Key: L", "", "", ""});
     ImGui::Separator();
     figures_line(context);
     tab_chips(context);

@@ -37,6 +37,7 @@ struct ViewState {
     bool crisp = false;                            ///< squares of one value each
     bool arrows = false;                           ///< velocity over the field
     bool help = false;                             ///< the keys are shown
+    bool lessons = false;                          ///< a lesson stands where the measures do
     ColourRange range;
     Renaming renaming;
 

@@ -9,6 +9,7 @@
 #include "app/panels/control_column.h"
 #include "app/panels/dialogs.h"
 #include "app/panels/help_overlay.h"
+#include "app/panels/lesson_panel.h"
 #include "app/panels/measure_column.h"
 #include "app/panels/timeline.h"
 #include "app/scenes/presets.h"
@@ -74,6 +75,7 @@ void Workbench::frame() {
     take_run();
     for (const InputEvent& event : events) act_on(event);
     brush_.end_frame(remote_);
+    lessons_.set_open(view_.lessons);
     draw();
     window_.end_frame();
     PanelContext seen = context();
@@ -89,6 +91,7 @@ void Workbench::take_run() {
     history_.take(measures_, new_run);
     measures_.clear();
     names_.update(session.setup);
+    lessons_.update(remote_, view_);
     if (!available(*view_.shown, remote_.snapshot())) view_.shown = &views().front();
     if (session.lanes.size() == 1) {
         view_.compare = Compare::SideBySide;
@@ -104,6 +107,7 @@ void Workbench::act_on(const InputEvent& event) {
     using Kind = InputEvent::Kind;
     if (event.kind == Kind::Character && ImGui::GetIO().WantTextInput) return;
     if (view_tool_.take(event, place_, view_)) return;
+    if (lessons_.take(event, remote_)) return;
     switch (event.kind) {
         case Kind::Character:
             if (!files_.dialog) type(event);
@@ -166,6 +170,10 @@ void Workbench::type(const InputEvent& event) {
         case 'H':
             view_.help = !view_.help;
             return;
+        case 'l':
+        case 'L':
+            view_.lessons = !view_.lessons;
+            return;
         case 'q':
         case 'Q':
             return window_.close();
@@ -203,7 +211,12 @@ void Workbench::draw() {
     place_ = draw_field_area(context);
     ImGui::End();
     begin_panel("measures", layout, layout.measures, theme, slabs_);
-    draw_measure_column(context);
+    if (view_.lessons) {
+        draw_lesson_panel(context, lessons_);
+        view_.lessons = lessons_.open();
+    } else {
+        draw_measure_column(context);
+    }
     ImGui::End();
     draw_open_dialog(context);
     draw_film_dialog(context);

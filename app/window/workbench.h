@@ -5,6 +5,7 @@
 
 #include "app/panels/field_area.h"
 #include "app/panels/hover_help.h"
+#include "app/panels/lesson_walk.h"
 #include "app/panels/panel.h"
 #include "app/window/brush_tool.h"
 #include "app/window/clerk.h"
@@ -56,6 +57,7 @@ class Workbench {
     std::unique_ptr<Player> player_;
     Remote remote_;
     Clerk clerk_;
+    LessonWalk lessons_;
 };
 
 }  // namespace whorl::app

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "core/io/command_text.h"
+#include "core/io/lane_table.h"
 #include "core/io/scene_table.h"
 #include "core/scene/parameters.h"
 
@@ -44,57 +45,6 @@ Split split(std::string_view text) {
 
 toml::table parse_split(const Split& split, std::string_view name) {
     return parse_toml(split.toml, name, max_toml_bytes + split.lines);
-}
-
-/// A lane, and in an arrangement what it goes on from.
-struct ReadLane {
-    LaneSetup setup;
-    int from = 0;
-};
-
-void read_overrides(const TomlReader& reader, const toml::node& node, LaneSetup& lane) {
-    const toml::array* array = node.as_array();
-    if (array == nullptr) reader.fail(node.source(), "set is a list: write [\"key=value\"]");
-    for (const toml::node& item : *array) {
-        const std::string assignment = reader.string(item, "an item of set");
-        try {
-            Scene scratch;
-            set_parameter(scratch, assignment);
-        } catch (const InputError& e) {
-            reader.fail(item.source(), e.what());
-        }
-        const std::size_t equals = assignment.find('=');
-        lane.set({assignment.substr(0, equals), assignment.substr(equals + 1)});
-    }
-}
-
-ReadLane read_lane(const TomlReader& reader, const toml::table& table, bool arranged) {
-    ReadLane lane;
-    std::vector<TomlReader::Key> keys{
-        {"name", [&](const toml::node& n) { lane.setup.name = reader.string(n, "name"); }},
-        {"refine",
-         [&](const toml::node& n) {
-             lane.setup.refine = static_cast<int>(reader.integer(n, "refine", 1, 8));
-         }},
-        {"set", [&](const toml::node& n) { read_overrides(reader, n, lane.setup); }}};
-    if (arranged) {
-        keys.emplace_back("from", [&](const toml::node& n) {
-            lane.from = static_cast<int>(reader.integer(n, "from", 0, Setup::max_lanes - 1));
-        });
-    }
-    reader.keys(table, keys);
-    return lane;
-}
-
-int read_reference(const TomlReader& reader, const toml::node& node) {
-    return static_cast<int>(reader.integer(node, "reference", 0, Setup::max_lanes - 1));
-}
-
-std::vector<LaneSetup> read_lanes(const TomlReader& reader, const toml::node& node) {
-    std::vector<LaneSetup> lanes;
-    reader.tables(node, "lane", Setup::max_lanes,
-                  [&](const toml::table& table) { lanes.push_back(read_lane(reader, table, false).setup); });
-    return lanes;
 }
 
 Arrange read_arrangement(const TomlReader& reader, const toml::table& table) {

@@ -1,0 +1,57 @@
+// A student's way through the lessons: which one, which step, and its run and view on screen.
+#pragma once
+
+#include <optional>
+#include <utility>
+
+#include "app/lessons/lesson.h"
+#include "app/panels/remote.h"
+#include "app/panels/view_state.h"
+#include "app/window/input.h"
+
+namespace whorl::app {
+
+/// Where a student is. A step is shown in one go: its run is loaded, paused, and once it stands at the step's
+/// moment it is looked at as the step says.
+class LessonWalk {
+  public:
+    /// Whether the panel is open.
+    bool open() const { return open_; }
+    void set_open(bool open) { open_ = open; }
+
+    /// The lesson that is read; null while one is chosen.
+    const Lesson* lesson() const { return lesson_; }
+    std::size_t place() const { return place_; }
+    const LessonStep& step() const { return lesson_->steps[place_]; }
+    bool first() const { return place_ == 0; }
+    bool last() const { return place_ + 1 == lesson_->steps.size(); }
+
+    /// Opens the panel on a lesson's first step.
+    /// @param lesson  must live as long as it is read
+    void begin(const Lesson& lesson, Remote& remote);
+    /// Back to the list of lessons; the run stays.
+    void leave() { lesson_ = nullptr; }
+    void next(Remote& remote);
+    void back(Remote& remote);
+    /// The step's run and view again, whatever has been changed since.
+    void show(Remote& remote);
+    /// Turns to the next step at PageDown and back at PageUp, while a lesson is read.
+    /// @return whether the event was one of them
+    bool take(const InputEvent& event, Remote& remote);
+    /// Looks at the shown run as the step says; call once a frame.
+    void update(Remote& remote, ViewState& view);
+    /// Whether another step was entered since the last call.
+    bool take_turned() { return std::exchange(turned_, false); }
+
+  private:
+    void enter(std::size_t place, Remote& remote);
+    bool begun(const Remote& remote) const;
+
+    bool open_ = false;
+    const Lesson* lesson_ = nullptr;
+    std::size_t place_ = 0;
+    bool turned_ = false;
+    std::optional<int> left_;  ///< the run before, while the step's has not come to its moment
+};
+
+}  // namespace whorl::app
