@@ -1,4 +1,4 @@
-// The sole place where interpolation, tracer and limiter templates are instantiated.
+// The sole place where the loops of interpolation, tracers and limiters are instantiated.
 #include "core/advection/advect.h"
 #include "core/advection/affine_loops.h"
 #include "core/advection/sampling_loops.h"

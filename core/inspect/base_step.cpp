@@ -1,5 +1,6 @@
 #include "core/inspect/base_step.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <limits>
 
@@ -176,14 +177,14 @@ void NodeStepper::gather(const Stepping& from, int i, int j, const Departing& no
     Sum own = interpolation_sum(q, from.symbol, *last_.boundary, schemes_,
                                 {at.i[0], at.j[0], at.x[0], at.y[0]}, out.first_order, out.drawn.nodes);
     own.title = from.symbol + " at the departure point, to first order";
-    for (const Particle& particle : stencil_.particles()) {
-        if (particle.offset != Vec2(0, 0)) continue;
-        StencilParticle found{.path = out.drawn.path,
-                              .weight = number(particle.weight),
-                              .value = number(out.first_order),
-                              .at_node = number(out.first_order),
-                              .contribution = number(particle.weight * out.first_order)};
-        add(particle, found, std::move(own));
+    const auto centre = std::ranges::find(stencil_.particles(), Vec2(0, 0), &Particle::offset);
+    if (centre != stencil_.particles().end()) {
+        const StencilParticle found{.path = out.drawn.path,
+                                    .weight = number(centre->weight),
+                                    .value = number(out.first_order),
+                                    .at_node = number(out.first_order),
+                                    .contribution = number(centre->weight * out.first_order)};
+        add(*centre, found, std::move(own));
     }
     for (std::size_t k = 0; k < rows.size(); ++k) {
         const Row& row = rows[k];
@@ -216,7 +217,7 @@ Sum NodeStepper::particle_sum(const Particle& particle, const StencilParticle& f
         sum.terms.push_back({"∂q/∂y", to_y, found.gradient_y});
     }
     if (schemes_.expansion() == Expansion::CrossTerm) {
-        sum.equation = "thesis eq. 4.2–4.3, sec. 6.1";
+        sum.equation = "thesis eq. 4.2–4.3; c_xy after sec. 6.1";
         sum.terms.push_back({"c_xy", to_x * to_y, found.cross});
     }
     sum.total = found.at_node;

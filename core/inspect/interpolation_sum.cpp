@@ -167,8 +167,8 @@ class Patch {
 }  // namespace
 
 std::string thesis_part(std::string_view source) {
-    const auto at = source.find("thesis");
-    return std::string(at == std::string_view::npos ? source : source.substr(at));
+    const auto before = source.rfind("; ");
+    return std::string(before == std::string_view::npos ? source : source.substr(before + 2));
 }
 
 std::string node_name(std::string_view symbol, const Field& q, const Boundary& boundary, int i, int j) {

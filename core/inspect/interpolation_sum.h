@@ -13,7 +13,7 @@ struct Place {
     Real x, y;  ///< from there, 0 to 1
 };
 
-/// The part of a scheme's source that is in the thesis, or all of it.
+/// The last of a scheme's sources: where the thesis has it, if it does.
 std::string thesis_part(std::string_view source);
 
 /// "ρ(3, 7)", by the node that a periodic border repeats.

@@ -17,7 +17,7 @@ std::string number(double value) {
 /// The same in a column.
 std::string column(double value) {
     char text[32];
-    std::snprintf(text, sizeof text, "%12.6g", value + 0.0);
+    std::snprintf(text, sizeof text, "%13.6g", value + 0.0);
     return text;
 }
 
@@ -88,7 +88,7 @@ class Writer {
             line(depth + 1, column(term.weight) + " ×" + column(term.value) + " =" + column(term.product()) +
                                 "  " + term.label);
         }
-        line(depth + 1, std::string(25, ' ') + "sum" + column(sum.total));
+        line(depth + 1, std::string(27, ' ') + "sum" + column(sum.total));
         if (sum.cut) write(*sum.cut, depth + 1);
         for (const Sum& part : sum.parts) write(part, depth + 1);
     }

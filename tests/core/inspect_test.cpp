@@ -301,7 +301,7 @@ TEST(Inspect, NamesTheEquationsOfTheThesis) {
     EXPECT_EQ(equation("bfecc"), "thesis alg. 3.2");
     EXPECT_EQ(equation("aslam"), "thesis alg. 4.1, eq. 4.1–4.3");
     EXPECT_EQ(equation("aslam-0"), "thesis eq. 5.8");
-    EXPECT_EQ(equation("aslam-bilinear"), "thesis sec. 6.1");
+    EXPECT_EQ(equation("aslam-bilinear"), "after thesis sec. 6.1");
 }
 
 TEST(Inspect, KnowsWallsAndWhatHoldsNoValueOfItsOwn) {
