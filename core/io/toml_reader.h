@@ -65,16 +65,16 @@ class TomlReader {
     /// Hands each value of a table to its key, and knows no other keys.
     void keys(const toml::table& table, const std::vector<Key>& known) const {
         for (const auto& [key, node] : table) {
+            const std::string_view name = key.str();
             const auto found =
-                std::find_if(known.begin(), known.end(), [&](const Key& k) { return k.first == key.str(); });
+                std::find_if(known.begin(), known.end(), [&](const Key& k) { return k.first == name; });
             if (found != known.end()) {
                 found->second(node);
                 continue;
             }
             std::vector<std::string_view> names;
             for (const Key& k : known) names.push_back(k.first);
-            fail(key.source(),
-                 "unknown key \"" + std::string(key.str()) + "\"; " + suggestion(key.str(), names));
+            fail(key.source(), "unknown key \"" + std::string(name) + "\"; " + suggestion(name, names));
         }
     }
 
