@@ -38,6 +38,8 @@ int act(const Arguments& arguments) {
                 return run_experiment(a);
             } else if constexpr (std::is_same_v<A, CompareArguments>) {
                 return run_compare(a);
+            } else if constexpr (std::is_same_v<A, ExplainArguments>) {
+                return run_explain(a);
             } else if constexpr (std::is_same_v<A, ConvergeArguments>) {
                 return run_converge(a);
             } else if constexpr (std::is_same_v<A, ListArguments>) {

@@ -21,6 +21,7 @@ constexpr const char* examples =
     "  whorl run plume --steps 480 --picture plume.png --set advector=aslam\n"
     "  whorl experiment rotation --set advector=aslam --at 600,1200\n"
     "  whorl compare plume --lanes thesis-five --out sheet.png\n"
+    "  whorl explain plume --at 200 --cell 20,12 --set interpolation=fritsch-carlson\n"
     "  whorl converge rotation --set advector=aslam --resolutions 40,80,160\n"
     "  whorl lesson smear\n"
     "  whorl list parameters";
@@ -50,6 +51,7 @@ void add_draw(CLI::App& verb, DrawArguments& draw) {
         ->type_name("S")
         ->check(CLI::Range(0.5, 8.0));
     verb.add_flag("--light", draw.light, "dark on white, for paper");
+    verb.add_flag("--difference", draw.difference, "each lane less the reference lane, or the first");
     verb.add_flag("--crisp", draw.crisp, "cells as squares of one colour");
 }
 
@@ -142,6 +144,19 @@ Arguments parse_arguments(int argc, char** argv) {
     add_draw(*compare_verb, compare.draw);
     add_threads(*compare_verb, compare.threads);
 
+    ExplainArguments explain;
+    std::string cell;
+    CLI::App* explain_verb = app.add_subcommand("explain", "how a step made one value, as sums with numbers");
+    explain_verb->add_option("scene", explain.scene, scene_help)->type_name(scene_type)->required();
+    explain_verb->add_option("--at", explain.at, "the step")->type_name("STEP")->required();
+    explain_verb->add_option("--cell", cell, "column and row, from 0 at the lower left; a face's for u and v")
+        ->type_name("I,J")
+        ->required();
+    explain_verb->add_option("--field", explain.field, "density, temperature, u or v")->type_name("FIELD");
+    add_set(*explain_verb, explain.set);
+    add_lanes(*explain_verb, explain.lanes);
+    add_threads(*explain_verb, explain.threads);
+
     ExperimentArguments experiment;
     std::string at;
     CLI::App* experiment_verb = app.add_subcommand("experiment", "run a test and measure its errors");
@@ -202,6 +217,10 @@ Arguments parse_arguments(int argc, char** argv) {
     if (compare_verb->parsed()) {
         compare.at = whole_numbers("--at", compare_at);
         return compare;
+    }
+    if (explain_verb->parsed()) {
+        explain.cell = whole_numbers("--cell", cell);
+        return explain;
     }
     if (converge_verb->parsed()) {
         converge.resolutions = whole_numbers("--resolutions", resolutions);

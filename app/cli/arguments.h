@@ -26,6 +26,7 @@ struct DrawArguments {
     int width = 0;    ///< 0 takes what suits the number of fields
     float scale = 0;  ///< 0 takes what suits the width
     bool light = false, crisp = false;
+    bool difference = false;  ///< of each lane from the reference lane
 };
 
 /// `whorl run PRESET|FILE`, and `whorl experiment NAME`
@@ -55,6 +56,17 @@ struct CompareArguments {
     int threads = 0;
 };
 
+/// `whorl explain PRESET|FILE`
+struct ExplainArguments {
+    std::string scene;
+    std::vector<std::string> set;
+    std::string lanes;
+    int at = 1;
+    std::vector<int> cell;  ///< i, j
+    std::string field = "density";
+    int threads = 0;
+};
+
 /// `whorl converge EXPERIMENT`
 struct ConvergeArguments {
     std::string experiment;
@@ -80,7 +92,7 @@ struct ExperimentArguments : RunArguments {};
 
 /// What was asked for, or the exit code where all has been said (`--help`, a wrong option).
 using Arguments = std::variant<int, WindowArguments, RunArguments, ExperimentArguments, CompareArguments,
-                               ConvergeArguments, ListArguments, LessonArguments>;
+                               ExplainArguments, ConvergeArguments, ListArguments, LessonArguments>;
 
 /// @throws InputError for a list that is not one
 Arguments parse_arguments(int argc, char** argv);

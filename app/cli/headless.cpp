@@ -1,13 +1,15 @@
 #include "app/cli/headless.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
 #include <optional>
 
+#include "app/render/picture.h"
 #include "app/scenes/comparisons.h"
 #include "app/scenes/files.h"
 #include "app/scenes/presets.h"
-#include "app/views/session_picture.h"
+#include "app/views/session_sheet.h"
 #include "app/window/egl_context.h"
 #include "core/experiments/experiment.h"
 #include "core/io/png.h"
@@ -23,8 +25,9 @@ namespace {
 const ColourMap* map_of(const DrawArguments& arguments) {
     if (arguments.map.empty()) {
         // On paper what grows from 0 goes from white to black, as in the thesis.
-        return arguments.light && view(arguments.view).middle == nullptr ? find_colour_map("white-black")
-                                                                         : nullptr;
+        return arguments.light && view(arguments.view).middle == nullptr && !arguments.difference
+                   ? find_colour_map("white-black")
+                   : nullptr;
     }
     if (const ColourMap* map = find_colour_map(arguments.map)) return map;
     std::vector<std::string_view> keys;
@@ -43,6 +46,18 @@ std::optional<Range> range_of(const DrawArguments& arguments) {
         if (high_error == std::errc{} && last == end && range.lo < range.hi) return range;
     }
     throw InputError("--range = \"" + arguments.range + "\" is not two rising numbers, as 0,0.5");
+}
+
+/// Before anything is drawn: whether there is something to show.
+void check_fields(const SheetRequest& sheet, const SessionSnapshot& row, const DrawArguments& arguments) {
+    const auto empty = [](const SheetCell& cell) { return cell.field == nullptr; };
+    for (const SheetRow& cells : sheet.rows) {
+        if (std::none_of(cells.cells.begin(), cells.cells.end(), empty)) continue;
+        const std::string_view when = experiment(row.setup.scene.experiment).known;
+        const std::string known = when.empty() ? "" : "; the exact solution is known " + std::string(when);
+        throw InputError("there is no " + arguments.view + " to show at step " + std::to_string(row.step) +
+                         " of " + row.setup.scene.experiment + known);
+    }
 }
 
 }  // namespace
@@ -93,16 +108,27 @@ Drawing::Drawing(const DrawArguments& arguments) : arguments_(arguments) {
 
 Drawing::~Drawing() = default;
 
-Image Drawing::draw(std::span<const SessionSnapshot> rows, const Range* range) {
-    const std::optional<Range> asked = range_of(arguments_);
-    const PictureStyle style{.view = &view(arguments_.view),
-                             .map = map_of(arguments_),
-                             .range = asked ? &*asked : range,
-                             .crisp = arguments_.crisp,
-                             .light = arguments_.light,
-                             .width = arguments_.width,
-                             .scale = arguments_.scale};
-    return picture_of(rows, style, canvas_->renderer);
+Image Drawing::draw(std::span<const SessionSnapshot> rows, std::optional<Range> range) {
+    std::deque<LaneFields> fields;
+    PictureStyle style{.view = &view(arguments_.view), .difference = arguments_.difference};
+    style.map = map_of(arguments_);
+    style.range = range_of(arguments_);
+    if (!style.range) style.range = range;
+    style.crisp = arguments_.crisp;
+    style.light = arguments_.light;
+    SheetRequest sheet = sheet_of(rows, std::move(style), fields);
+    check_fields(sheet, rows.back(), arguments_);
+    const auto width = static_cast<float>(arguments_.width);
+    const float suits = std::max(1.0f, width / sheet.cell_width);
+    sheet.scale = std::min(arguments_.scale > 0 ? arguments_.scale : suits, largest_sheet_scale);
+    if (width > 0) sheet.cell_width = width / sheet.scale;
+    return canvas_->renderer.render(sheet);
+}
+
+Range Drawing::span(const SessionSnapshot& snapshot) const {
+    LaneFields fields;
+    fields.update(snapshot, view(arguments_.view), arguments_.difference);
+    return fields.span();
 }
 
 void write_picture(const std::string& file, const Image& image, const Recording& recording) {

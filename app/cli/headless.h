@@ -33,9 +33,13 @@ class Drawing {
     Drawing& operator=(const Drawing&) = delete;
 
     /// A row a snapshot.
-    /// @param range  of the colours where the arguments give none; null for all that occur
-    /// @throws as picture_of
-    Image draw(std::span<const SessionSnapshot> rows, const Range* range = nullptr);
+    /// @param range  of the colours where the arguments give none; nothing for all that occur
+    /// @throws InputError if a lane has no such field, std::runtime_error if the picture is larger than the
+    /// driver
+    ///         draws
+    Image draw(std::span<const SessionSnapshot> rows, std::optional<Range> range = {});
+    /// What all lanes span of what is drawn.
+    Range span(const SessionSnapshot& snapshot) const;
 
   private:
     struct Canvas;

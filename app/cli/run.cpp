@@ -10,7 +10,6 @@
 #include "app/cli/verbs.h"
 #include "app/film/film.h"
 #include "app/plot/ticks.h"
-#include "app/views/session_picture.h"
 #include "core/io/run_file.h"
 #include "core/io/series.h"
 #include "core/scene/error.h"
@@ -93,31 +92,31 @@ class Filming {
     Filming(const RunArguments& arguments, Pool& pool)
         : film_(arguments.animate, arguments.fps),
           every_(arguments.every),
-          draw_(arguments.draw),
-          pool_(pool) {}
+          pool_(pool),
+          drawing_(arguments.draw) {}
     void add(const Session& session) {
         if (session.step_number() % every_ != 0) return;
         take_snapshot(session, snapshot_, pool_, snapshot_);
-        const Range now = range_of({&snapshot_, 1}, view(draw_.view));
+        const Range now = drawing_.span(snapshot_);
         seen_ = seen_ ? Range{std::min(seen_->lo, now.lo), std::max(seen_->hi, now.hi)} : now;
-        film_.add(drawing_.draw({&snapshot_, 1}, &*seen_));
+        film_.add(drawing_.draw({&snapshot_, 1}, seen_));
     }
     void finish() { film_.finish(); }
 
   private:
     Film film_;
     int every_;
-    const DrawArguments& draw_;
     Pool& pool_;
-    Drawing drawing_{draw_};
+    Drawing drawing_;
     SessionSnapshot snapshot_;
     std::optional<Range> seen_;
 };
 
 void check(const RunArguments& a) {
     if (!a.picture.empty()) check_picture("--picture", a.picture);
-    if (a.picture.empty() && a.animate.empty() && (a.draw.view != "density" || !a.draw.map.empty()))
-        throw InputError("--view and --map are of the picture; give --picture FILE.png too");
+    if (a.picture.empty() && a.animate.empty() &&
+        (a.draw.view != "density" || !a.draw.map.empty() || a.draw.difference))
+        throw InputError("--view, --map and --difference are of the picture; give --picture FILE.png too");
     if (!a.save.empty() && !a.save.ends_with(".toml"))
         throw InputError("--save = " + a.save + ": runs are TOML; give a name that ends in .toml");
     for (const std::string& file : {a.csv, a.timing, a.save}) {

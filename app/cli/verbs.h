@@ -15,6 +15,9 @@ int run_experiment(const ExperimentArguments& arguments);
 /// Draws a contact sheet of several lanes at several steps.  @throws as run_scene
 int run_compare(const CompareArguments& arguments);
 
+/// Prints how a step made the value of one node, and at how many nodes limiters acted.  @throws as run_scene
+int run_explain(const ExplainArguments& arguments);
+
 /// Prints errors and rates of an experiment on ever finer grids.  @throws as run_scene
 int run_converge(const ConvergeArguments& arguments);
 

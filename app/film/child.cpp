@@ -121,6 +121,11 @@ bool Child::feed(std::span<const std::uint8_t> bytes) {
     return true;
 }
 
+bool Child::running() {
+    if (pid_ >= 0 && ::waitpid(pid_, &status_, WNOHANG) == pid_) pid_ = -1;
+    return pid_ >= 0;
+}
+
 bool Child::wait() {
     input_.close();
     if (pid_ >= 0) {

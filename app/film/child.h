@@ -28,6 +28,8 @@ class Child {
 
     /// Gives the program input; waits until it has taken it.  @returns false if it takes no more
     bool feed(std::span<const std::uint8_t> bytes);
+    /// Whether the program has not ended yet; does not wait.
+    bool running();
     /// Ends the input and waits for the program to end.  @returns whether it says that all is well
     bool wait();
     /// What the program wrote to its standard output; after `wait`.

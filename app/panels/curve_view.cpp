@@ -1,7 +1,9 @@
 #include "app/panels/curve_view.h"
 
+#include <algorithm>
 #include <array>
 
+#include "app/panels/field_header.h"
 #include "app/plot/plot.h"
 
 namespace whorl::app {
@@ -25,11 +27,13 @@ Series series_of(const Curve& curve, std::string_view label, ImU32 colour, bool 
     return {label, colour, curve.y, dots, curve.x};
 }
 
-/// Whether a lane's curve is drawn.
-bool drawn(const PanelContext& context, std::size_t lane) {
-    if (context.fields.of(lane) == nullptr) return false;
-    if (context.view.compare != Compare::One) return true;
-    return lane == (context.view.peek ? context.remote.other() : context.remote.selected());
+/// One scale for all times, so that a bump that sinks is seen to sink; it makes way for what overshoots.
+Interval steady_scale(std::span<const Curve> curves, double most) {
+    float least = 0;
+    for (const Curve& curve : curves) {
+        for (const float value : curve.y) least = std::min(least, value);
+    }
+    return {std::min(-0.05, 1.05 * static_cast<double>(least)), std::max(1.05, 1.02 * most)};
 }
 
 }  // namespace
@@ -45,7 +49,7 @@ void draw_curve_view(PanelContext& context, ImVec2 size) {
     Curve exact;
     std::vector<Series> series;
     for (std::size_t k = 0; k < context.names.size(); ++k) {
-        if (!drawn(context, k)) continue;
+        if (context.fields.of(k) == nullptr) continue;
         curves[k] = curve_of(*context.fields.of(k), context.remote.session().lanes[k].grid);
         const std::string_view alone = compares ? "numerical" : view.label;
         series.push_back(series_of(curves[k], several ? context.names.name(k) : alone,
@@ -57,7 +61,8 @@ void draw_curve_view(PanelContext& context, ImVec2 size) {
         series.push_back(series_of(exact, "exact", colour, false));
     }
     Plot plot;
-    plot.title = selected.scene.title;
+    const std::string difference = context.fields.difference() ? shown_quantity(context) : std::string();
+    plot.title = difference.empty() ? selected.scene.title : difference;
     plot.x_name = "x";
     plot.x_first = 0.5 * selected.grid.h;
     plot.x_stride = selected.grid.h;
@@ -65,9 +70,7 @@ void draw_curve_view(PanelContext& context, ImVec2 size) {
     if (context.view.range.held()) {
         plot.y_range = Interval{static_cast<double>(ends.lo), static_cast<double>(ends.hi)};
     } else if (compares) {
-        // One scale for all times, so that a bump that sinks is seen to sink.
-        const auto most = static_cast<double>(std::max(1.05f, 1.02f * ends.hi));
-        plot.y_range = Interval{-0.05, most};
+        plot.y_range = steady_scale(curves, static_cast<double>(ends.hi));
     }
     plot.size = size;
     draw_plot(theme, plot, series);

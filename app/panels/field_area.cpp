@@ -214,15 +214,6 @@ void draw_titles(PanelContext& context, const FieldPlacement& place) {
     }
 }
 
-std::string bar_label(const PanelContext& context) {
-    if (context.names.size() == 1) return {};
-    const View& view = context.fields.view();
-    std::string label(view.label);
-    if (context.fields.difference())
-        label += " less that of " + context.names.name(context.fields.reference());
-    return label + "  " + std::string(view.unit);
-}
-
 void draw_fields(PanelContext& context, const FieldPlacement& place, const PixelRect& all) {
     const Theme& theme = context.theme;
     const bool several = context.names.size() > 1;
@@ -237,7 +228,8 @@ void draw_fields(PanelContext& context, const FieldPlacement& place, const Pixel
     }
     if (several) draw_titles(context, place);
     const Range range = context.view.range.ends();
-    const std::string label = bar_label(context);
+    const std::string label =
+        several ? shown_quantity(context) + "  " + std::string(context.fields.view().unit) : std::string();
     const ColourBar bar{context.view.map(context.fields.view(), context.fields.difference()), range.lo,
                         range.hi, label};
     draw_colour_bar(list, theme, bar,
@@ -300,8 +292,10 @@ FieldPlacement draw_field_area(PanelContext& context) {
                         static_cast<int>(height)};
     int k = 0;
     for (const std::size_t lane : lanes_on_screen(context)) {
-        const float x = left + static_cast<float>(k % tiles.columns) * (tiles.width + gap);
-        const float y = top + static_cast<float>(k / tiles.columns) * (tiles.height + head) + head;
+        const int row = k / tiles.columns;
+        const int column = k % tiles.columns;
+        const float x = left + static_cast<float>(column) * (tiles.width + gap);
+        const float y = top + static_cast<float>(row) * (tiles.height + head) + head;
         place.tiles.push_back(tile_in(context, lane,
                                       {static_cast<int>(x), static_cast<int>(y),
                                        static_cast<int>(tiles.width), static_cast<int>(tiles.height)}));

@@ -16,10 +16,11 @@ namespace {
 const char* hints(const Snapshot& s, float width) {
     constexpr const char* flat[] = {"Space pauses  ·  . steps  ·  R resets  ·  F12 picture  ·  H keys",
                                     "Space pauses  ·  H keys", "H keys"};
+    constexpr const char* all_of_plane =
+        "Drag to inject smoke  ·  right-drag to push  ·  shift-drag to build  ·  Space pauses"
+        "  ·  F12 picture  ·  H keys";
     constexpr const char* plane[] = {
-        "Drag to inject smoke  ·  right-drag to push  ·  shift-drag to build  ·  Space pauses  ·  F12 "
-        "picture  "
-        "·  H keys",
+        all_of_plane,
         "Drag to inject smoke  ·  right-drag to push  ·  Space pauses  ·  F12 picture  ·  H keys",
         "Drag to inject smoke  ·  right-drag to push  ·  H keys", "Drag to inject smoke  ·  H keys",
         "H keys"};
@@ -132,6 +133,13 @@ float draw_chips(PanelContext& context, const FieldPlacement& place, float right
 }
 
 }  // namespace
+
+std::string shown_quantity(const PanelContext& context) {
+    std::string words(context.fields.view().label);
+    if (context.fields.difference())
+        words += " less that of " + context.names.name(context.fields.reference());
+    return words;
+}
 
 float field_header_height(const Theme& theme, bool several) {
     return theme.title->FontSize + theme.small->FontSize + theme.px(several ? 22 : 18);

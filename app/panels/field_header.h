@@ -6,6 +6,9 @@
 
 namespace whorl::app {
 
+/// What the colours or curves stand for: the view, and what is taken from it.
+std::string shown_quantity(const PanelContext& context);
+
 /// With the air below it, pixels.
 float field_header_height(const Theme& theme, bool several);
 

@@ -23,11 +23,22 @@ constexpr Row mouse[] = {
     {"Rest on a control", "what it does, and where it comes from"},
     {"Ctrl+click a slider", "type a value"},
     {"Right-click a control", "back to the value of all lanes"},
+    {"Drop a file", "open a scene, a run or a picture of Whorl"},
 };
 constexpr Row keys[] = {
-    {"Space", "play, pause"},  {".", "one step"},         {"R", "reset"},
-    {"1 – 9", "presets"},      {"0", "the whole domain"}, {"Tab", "hold: the other lane, where one is shown"},
-    {"F12", "picture as PNG"}, {"H", "this help"},        {"Esc", "close this"},
+    {"Space", "play, pause"},
+    {".", "one step"},
+    {"R", "reset"},
+    {"← →", "a step back, a step on"},
+    {"Home, End", "the run's first and last step"},
+    {"1 – 9", "presets"},
+    {"0", "the whole domain"},
+    {"Tab", "hold: the other lane, where one is shown"},
+    {"Ctrl+O", "open a scene, a run or a picture"},
+    {"Ctrl+S", "save the run"},
+    {"F12", "picture as PNG, which carries the run"},
+    {"H", "this help"},
+    {"Esc", "close this"},
     {"Q, Ctrl+Q", "quit"},
 };
 

@@ -9,52 +9,88 @@ constexpr std::size_t tracks = static_cast<std::size_t>(Track::Count);
 
 /// In the order of Track.
 std::array<double, tracks> values(const Measures& m) {
-    return {m.density_percent,  m.kinetic_energy, m.enstrophy,     m.divergence_before,
-            m.divergence_after, m.ms.forces,      m.ms.projection, m.ms.advection,
-            m.ms.total,         m.errors.L1,      m.errors.L2,     m.errors.Linf};
+    return {m.time,
+            m.density_percent,
+            m.kinetic_energy,
+            m.enstrophy,
+            m.min_density,
+            m.max_density,
+            m.divergence_before,
+            m.divergence_after,
+            m.ms.forces,
+            m.ms.projection,
+            m.ms.advection,
+            m.ms.total,
+            m.errors.L1,
+            m.errors.L2,
+            m.errors.Linf,
+            m.effective_viscosity,
+            m.energy_changes.forces,
+            m.energy_changes.projection,
+            m.energy_changes.advection,
+            m.enstrophy_changes.forces,
+            m.enstrophy_changes.projection,
+            m.enstrophy_changes.advection};
 }
 
-void keep_even(std::vector<float>& samples) {
+/// Keeps the samples of the steps that are multiples of `stride`.
+void keep_multiples(LaneHistory& lane, long stride) {
     std::size_t kept = 0;
-    for (std::size_t k = 0; k < samples.size(); k += 2) samples[kept++] = samples[k];
-    samples.resize(kept);
+    for (std::size_t k = 0; k < lane.steps.size(); ++k) {
+        if (static_cast<long>(lane.steps[k]) % stride != 0) continue;
+        lane.steps[kept] = lane.steps[k];
+        for (auto& track : lane.tracks) track[kept] = track[k];
+        ++kept;
+    }
+    lane.steps.resize(kept);
+    for (auto& track : lane.tracks) track.resize(kept);
 }
 
 }  // namespace
 
-History::History() {
-    steps_.reserve(capacity);
-    for (auto& track : tracks_) track.reserve(capacity);
-}
-
-void History::take(std::span<const StepMeasures> measures, int lane, bool new_run) {
+void History::take(std::span<const StepMeasures> measures, bool new_run) {
     if (new_run) {
-        steps_.clear();
-        for (auto& track : tracks_) track.clear();
+        lanes_.clear();
         stride_ = 1;
+        reached_ = -1;
     }
     for (const StepMeasures& row : measures) {
-        const auto found = std::find(row.ids.begin(), row.ids.end(), lane);
-        if (found != row.ids.end()) add(row.lanes[static_cast<std::size_t>(found - row.ids.begin())]);
+        if (row.step <= reached_) truncate(row.step);
+        reached_ = row.step;
+        for (std::size_t k = 0; k < row.ids.size(); ++k) {
+            LaneHistory& lane = lanes_[row.ids[k]];
+            lane.last = row.lanes[k];
+            if (lane.steps.size() == capacity) thin();
+            if (row.step % stride_ == 0) add(lane, row.step, row.lanes[k]);
+        }
     }
 }
 
-void History::add(const Measures& m) {
-    last_ = m;
-    if (m.step % stride_ != 0) return;
-    if (steps_.size() == capacity) {
-        thin();
-        if (m.step % stride_ != 0) return;
+const LaneHistory& History::lane(int id) const {
+    static const LaneHistory none{};
+    const auto found = lanes_.find(id);
+    return found == lanes_.end() ? none : found->second;
+}
+
+void History::truncate(long step) {
+    for (auto& [id, lane] : lanes_) {
+        const auto from = std::lower_bound(lane.steps.begin(), lane.steps.end(), static_cast<float>(step));
+        const auto kept = static_cast<std::size_t>(from - lane.steps.begin());
+        lane.steps.resize(kept);
+        for (auto& track : lane.tracks) track.resize(kept);
     }
-    steps_.push_back(static_cast<float>(m.step));
-    const auto now = values(m);
-    for (std::size_t k = 0; k < tracks; ++k) tracks_[k].push_back(static_cast<float>(now[k]));
+    std::erase_if(lanes_, [](const auto& lane) { return lane.second.steps.empty(); });
+}
+
+void History::add(LaneHistory& lane, long step, const Measures& measures) const {
+    lane.steps.push_back(static_cast<float>(step));
+    const auto now = values(measures);
+    for (std::size_t k = 0; k < tracks; ++k) lane.tracks[k].push_back(static_cast<float>(now[k]));
 }
 
 void History::thin() {
-    keep_even(steps_);
-    for (auto& track : tracks_) keep_even(track);
     stride_ *= 2;
+    for (auto& [id, lane] : lanes_) keep_multiples(lane, stride_);
 }
 
 }  // namespace whorl::app

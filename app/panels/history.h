@@ -1,7 +1,8 @@
-// The measures of a run as curves, thinned so that long runs stay small.
+// The measures of a run's lanes as curves, thinned so that long runs stay small.
 #pragma once
 
 #include <array>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -11,9 +12,12 @@ namespace whorl::app {
 
 /// What is kept of every measured step.
 enum class Track {
+    Time,
     DensityPercent,
     KineticEnergy,
     Enstrophy,
+    MinDensity,
+    MaxDensity,
     DivergenceBefore,
     DivergenceAfter,
     ForcesMs,
@@ -23,32 +27,46 @@ enum class Track {
     L1,
     L2,
     Linf,
+    EffectiveViscosity,
+    EnergyByForces,
+    EnergyByProjection,
+    EnergyByAdvection,
+    EnstrophyByForces,
+    EnstrophyByProjection,
+    EnstrophyByAdvection,
     Count
 };
 
-/// Curves of at most `capacity` samples over steps: when they are full, every other sample goes and only half
-/// as many come in from then on.
+/// The samples of one lane.
+struct LaneHistory {
+    std::vector<float> steps;  ///< of the session, ascending
+    std::array<std::vector<float>, static_cast<std::size_t>(Track::Count)> tracks;
+    Measures last;  ///< of the last step, thinned or not
+
+    std::span<const float> of(Track track) const { return tracks[static_cast<std::size_t>(track)]; }
+};
+
+/// Curves of at most `capacity` samples a lane over steps: when they are full, every other sample goes and
+/// only half as many come in from then on. Lanes are known by Session::id; one that is added later begins
+/// later. Where the measures begin again at an earlier step, what came after it goes.
 class History {
   public:
     static constexpr std::size_t capacity = 8192;
 
-    History();
     /// @param new_run  whether the measures begin another run, so that the older ones go
-    void take(std::span<const StepMeasures> measures, int lane, bool new_run);
+    void take(std::span<const StepMeasures> measures, bool new_run);
 
-    std::span<const float> steps() const { return steps_; }
-    std::span<const float> of(Track track) const { return tracks_[static_cast<std::size_t>(track)]; }
-    /// The last step's measures, thinned or not.
-    const Measures& last() const { return last_; }
+    /// What is known of a lane; nothing where it has not been measured.
+    const LaneHistory& lane(int id) const;
 
   private:
-    void add(const Measures& measures);
+    void truncate(long step);
+    void add(LaneHistory& lane, long step, const Measures& measures) const;
     void thin();
 
-    std::vector<float> steps_;
-    std::array<std::vector<float>, static_cast<std::size_t>(Track::Count)> tracks_;
+    std::map<int, LaneHistory> lanes_;
     long stride_ = 1;  ///< steps between the samples that are kept
-    Measures last_;
+    long reached_ = -1;
 };
 
 }  // namespace whorl::app

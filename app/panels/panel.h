@@ -3,10 +3,12 @@
 
 #include <span>
 
+#include "app/panels/file_desk.h"
 #include "app/panels/frame_log.h"
 #include "app/panels/history.h"
 #include "app/panels/hover_help.h"
-#include "app/panels/lane_names.h"
+#include "app/views/lane_names.h"
+#include "app/panels/measure_view.h"
 #include "app/panels/remote.h"
 #include "app/panels/slabs.h"
 #include "app/panels/view_state.h"
@@ -21,6 +23,8 @@ struct PanelContext {
     const Theme& theme;
     Remote& remote;  ///< the run: its newest snapshot, the scene as chosen, and what to ask of it
     ViewState& view;
+    MeasureView& measures;
+    FileDesk& files;
     const History& history;
     const FrameLog& frames;
     const LaneFields& fields;  ///< what the chosen view shows of every lane
@@ -49,6 +53,7 @@ void draw_lanes_panel(PanelContext&);
 void draw_schemes_panel(PanelContext&);
 void draw_particles_panel(PanelContext&);
 void draw_view_panel(PanelContext&);
+void draw_picture_panel(PanelContext&);
 void draw_forces_panel(PanelContext&);
 void draw_brush_panel(PanelContext&);
 void draw_time_panel(PanelContext&);

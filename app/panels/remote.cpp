@@ -38,7 +38,18 @@ std::string label_of(const Parameter& p, double value) {
 }  // namespace
 
 void Remote::begin_frame() {
+    const int run = session_ != nullptr ? session_->run : 0;
+    const std::size_t place = session_ != nullptr ? selected() : 0;
+    const std::size_t before = session_ != nullptr ? other() : 0;
     session_ = &player_.newest();
+    if (session_->run != run) {
+        // Another run numbers its lanes anew: what was selected stays by its place.
+        const auto id_at = [&](std::size_t k) {
+            return k < session_->ids.size() ? session_->ids[k] : unknown;
+        };
+        selected_id_ = id_at(place);
+        previous_id_ = id_at(before);
+    }
     if (std::string complaint = player_.take_complaint(); !complaint.empty()) {
         notices_.warn(std::move(complaint));
     }
@@ -201,9 +212,24 @@ void Remote::load(std::string_view key, Recording recording) {
         player_.load(std::move(recording));
         loaded_ = key;
         pending_.clear();
+        to_select_.reset();
         lane_only_ = false;
     } catch (const InputError& e) {
         notices_.warn(e.what());
+    }
+}
+
+void Remote::load_scene(std::string_view key, const Scene& scene) {
+    if (setup_.lanes.size() == 1) return load(key, {.setup = {.scene = scene}});
+    const Setup compared{scene, setup_.lanes, setup_.reference};
+    const std::size_t place = selected_in_setup();
+    try {
+        lane_scenes(compared);
+        load(key, {.setup = compared});
+        selected_id_ = static_cast<int>(place);  // a session numbers its first lanes in their order
+    } catch (const InputError& e) {
+        notices_.info("The lanes do not go with this scene, which begins with one: " + std::string(e.what()));
+        load(key, {.setup = {.scene = scene}});
     }
 }
 

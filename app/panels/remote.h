@@ -64,6 +64,9 @@ class Remote {
     void push(Command command);
     /// Begins another run; a refusal is a notice.
     void load(std::string_view key, Recording recording);
+    /// Begins another scene with the lanes that are compared now; without them, and with a notice, where they
+    /// do not go with it.
+    void load_scene(std::string_view key, const Scene& scene);
     void set_loaded(std::string_view key) { loaded_ = key; }
     void restart() { push(Restart{}); }
     void play(bool playing) { player_.play(playing); }
@@ -71,6 +74,9 @@ class Remote {
     void step() { player_.step_once(); }
     void seek(long step) { player_.seek(step); }
     std::optional<long> sought() const { return player_.sought(); }
+    /// Asks for the present moment and the run up to it, see Player.
+    void save() { player_.save(); }
+    std::unique_ptr<Saved> take_saved() { return player_.take_saved(); }
     void set_pace(Pace pace);
     Pace pace() const { return pace_; }
     Notices& notices() const { return notices_; }

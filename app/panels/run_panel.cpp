@@ -1,10 +1,11 @@
-// Transport, scene and pace.
+// Transport, timeline, files, scene and pace.
 #include <imgui.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "app/panels/panel.h"
+#include "app/panels/timeline.h"
 #include "app/panels/widgets.h"
 #include "app/scenes/presets.h"
 #include "core/experiments/experiment.h"
@@ -38,11 +39,32 @@ void transport(PanelContext& context) {
         {"", "Back to the start of the scene, with the schemes as they are set. Key: R", "", "", ""});
 }
 
+void files(PanelContext& context) {
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    const float width = std::floor((ImGui::GetContentRegionAvail().x - gap) / 2);
+    if (ImGui::Button("Open…", {width, 0})) context.files.ask_open = true;
+    context.trace.control("open");
+    context.help.item(context.theme, "open",
+                      {"Open",
+                       "A preset, a scene or run, or a picture of Whorl: it brings its run back. Files "
+                       "can also be dropped on the window.",
+                       "Key: Ctrl+O", "", ""});
+    ImGui::SameLine();
+    if (ImGui::Button("Save run", {-FLT_MIN, 0})) context.files.save_run = true;
+    context.trace.control("save-run");
+    context.help.item(
+        context.theme, "save-run",
+        {"Save run",
+         "The scene, the lanes and all that was done, as whorl-0001.toml, the next free number, in "
+         "the folder the program was started in. Opened again it gives the same bits.",
+         "Key: Ctrl+S", "", ""});
+}
+
 void scene_item(PanelContext& context, std::string_view key, const Scene& scene, std::string_view help,
                 std::string_view source, std::string_view hint) {
     const std::string id = scene.title + "##" + std::string(key);
     const bool chosen = context.remote.loaded() == key;
-    if (ImGui::Selectable(id.c_str(), chosen)) context.remote.load(key, {.setup = {.scene = scene}});
+    if (ImGui::Selectable(id.c_str(), chosen)) context.remote.load_scene(key, scene);
     const std::string name = "scene=" + std::string(key);
     context.trace.control(name);
     context.help.item(context.theme, name, {scene.title, help, hint, source, ""});
@@ -113,6 +135,8 @@ void pace(PanelContext& context) {
 
 void draw_run_panel(PanelContext& context) {
     transport(context);
+    draw_timeline(context);
+    files(context);
     scenes(context);
     pace(context);
 }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <map>
-#include <optional>
 
 #include "app/panels/colour_range.h"
 #include "app/render/colour_map.h"
@@ -40,7 +39,6 @@ struct ViewState {
     bool help = false;                             ///< the keys are shown
     ColourRange range;
     Renaming renaming;
-    std::optional<double> marker;  ///< x of the plot sample under the pointer, a hairline in the others
 
     /// The colours of a view, or of differences in it, which all have the same.
     const ColourMap& map(const View& of, bool of_difference) const {

@@ -79,7 +79,9 @@ std::optional<double> paint(ImDrawList& list, const Theme& theme, const Plot& pl
                             std::span<const Series> series, const Card& card) {
     list.PushClipRect(card.low, card.high, true);
     std::vector<LegendEntry> legend;
-    for (const Series& one : series) legend.push_back({one.label, one.colour});
+    for (const Series& one : plot.legend ? series : std::span<const Series>()) {
+        legend.push_back({one.label, one.colour});
+    }
     const float top = draw_card(list, theme, plot, legend, card);
 
     std::vector<std::vector<CurvePoint>> curves(series.size());

@@ -41,6 +41,7 @@ struct Plot {
     std::optional<double> marker = {};     ///< hairline where another plot is hovered
     ImVec2 size = {0.0f, 160.0f};          ///< of the card, pixels; no width takes all there is
     std::string_view empty_text = "no samples yet";
+    bool legend = true;  ///< names the curves on the card; the tooltip does so anyway
 };
 
 /// Draws a card at ImGui's cursor and advances it. A curve costs a pass over its samples (10 µs for 10,000)

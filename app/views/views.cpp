@@ -96,56 +96,19 @@ std::string describe(const SchemeSet& s) {
     return text + " · " + std::string(s.tracer.info().label);
 }
 
+std::string describe(const Scene& scene) {
+    if (scene.velocity == scene.scalars) return describe(scene.scalars);
+    return "Velocity: " + describe(scene.velocity) + "\nScalars: " + describe(scene.scalars);
+}
+
 std::string caption(const Snapshot& s) {
-    std::string text = s.scene.velocity == s.scene.scalars ? describe(s.scene.scalars)
-                                                           : "Velocity: " + describe(s.scene.velocity) +
-                                                                 "\nScalars: " + describe(s.scene.scalars);
-    return text + "\n" + std::to_string(s.grid.nx) + " × " + std::to_string(s.grid.ny) +
+    return describe(s.scene) + "\n" + std::to_string(s.grid.nx) + " × " + std::to_string(s.grid.ny) +
            " · Δt = " + figure(s.scene.dt) + " · step " + std::to_string(s.measures.step) +
            " · t = " + figure(s.measures.time);
 }
 
 std::string bar_label(const View& view) {
     return std::string(view.label) + "  " + std::string(view.unit);
-}
-
-const Field& field_of(const View& view, const Snapshot& snapshot, Field& scratch) {
-    if (const Field* field = view.field(snapshot, scratch)) return *field;
-    const std::string_view when = experiment(snapshot.scene.experiment).known;
-    const std::string known = when.empty() ? "" : "; the exact solution is known " + std::string(when);
-    throw InputError("there is no " + std::string(view.key) + " to show at step " +
-                     std::to_string(snapshot.measures.step) + " of " + snapshot.scene.experiment + known);
-}
-
-SheetRequest request(const PictureStyle& style, Range range, bool several) {
-    SheetRequest sheet;
-    sheet.map = style.map ? style.map : find_colour_map(style.view->map);
-    sheet.lo = range.lo;
-    sheet.hi = range.hi;
-    sheet.label = bar_label(*style.view);
-    sheet.crisp = style.crisp;
-    sheet.light = style.light;
-    constexpr float one_of_several = 300;  // points
-    const float usual = several ? one_of_several : SheetRequest{}.cell_width;
-    const float suits = style.width > 0 ? static_cast<float>(style.width) / usual : 1;
-    sheet.scale = style.scale > 0 ? style.scale : std::clamp(suits, 1.0f, largest_sheet_scale);
-    sheet.cell_width = style.width > 0 ? static_cast<float>(style.width) / sheet.scale : usual;
-    return sheet;
-}
-
-Image picture_of(const Snapshot& snapshot, const PictureStyle& style, PictureRenderer& renderer) {
-    Field scratch;
-    const Field& field = field_of(*style.view, snapshot, scratch);
-    SheetRequest sheet =
-        request(style, style.range ? *style.range : style.view->automatic_range(snapshot, field), false);
-    SheetCell& cell = sheet.rows.emplace_back().cells.emplace_back();
-    cell.field = &field;
-    cell.solids = snapshot.solids;
-    cell.arrows = style.arrows ? &snapshot.velocity : nullptr;
-    cell.cells = {snapshot.grid.nx, snapshot.grid.ny};
-    sheet.title = snapshot.scene.title;
-    sheet.caption = caption(snapshot);
-    return renderer.render(sheet);
 }
 
 }  // namespace whorl::app

@@ -43,34 +43,13 @@ const View& view(std::string_view key);
 
 /// A scheme set in the words of the thesis: "MacCormack · linear · midpoint".
 std::string describe(const SchemeSet& schemes);
+/// The same of a scene's two sets, a line each where they differ.
+std::string describe(const Scene& scene);
 
 /// The caption of a picture: schemes, resolution, Δt, step and time.
 std::string caption(const Snapshot& snapshot);
 
 /// What stands at the colour bar of a picture: the quantity and its unit.
 std::string bar_label(const View& view);
-
-/// How to draw a picture of a snapshot.
-struct PictureStyle {
-    const View* view = nullptr;
-    const ColourMap* map = nullptr;  ///< null takes the view's own
-    const Range* range = nullptr;    ///< null takes the automatic one
-    bool crisp = false;
-    bool light = false;
-    bool arrows = false;
-    int width = 0;    ///< of a field, about, pixels; 0 takes what suits their number
-    float scale = 0;  ///< of letters and lines; 0 takes what suits the width
-};
-
-/// The view's field of a snapshot, computed into `scratch` where the snapshot does not hold it.
-/// @throws InputError if it has none
-const Field& field_of(const View& view, const Snapshot& snapshot, Field& scratch);
-
-/// An empty sheet in a style, for one field or for several.
-SheetRequest request(const PictureStyle& style, Range range, bool several);
-
-/// Draws a snapshot with its colour bar and caption.  Needs a current OpenGL context, see PictureRenderer.
-/// @throws InputError if the view has no field in this snapshot
-Image picture_of(const Snapshot& snapshot, const PictureStyle& style, PictureRenderer& renderer);
 
 }  // namespace whorl::app

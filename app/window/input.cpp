@@ -60,6 +60,9 @@ void Input::install() {
         input.collected_.push_back(
             {.kind = Kind::Character, .code = static_cast<int>(character), .repeated = input.repeating_});
     });
+    glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** paths) {
+        if (count > 0) of(window).collected_.push_back({.kind = Kind::Drop, .path = paths[0]});
+    });
 }
 
 const std::vector<InputEvent>& Input::take() {

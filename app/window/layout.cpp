@@ -9,7 +9,7 @@ namespace {
 // Points. Small windows take the least of both, wide ones the most.
 constexpr float margin = 12;
 constexpr float controls_least = 256, controls_share = 0.215f, controls_most = 344;
-constexpr float field_least = 440;  // for the lines above it
+constexpr float field_least = 400;  // for the lines above it
 constexpr float measures_least = 226, measures_share = 0.235f, measures_usual = 388, measures_most = 620;
 
 }  // namespace

@@ -7,8 +7,10 @@
 #include <future>
 
 #include "app/panels/control_column.h"
+#include "app/panels/dialogs.h"
 #include "app/panels/help_overlay.h"
 #include "app/panels/measure_column.h"
+#include "app/panels/timeline.h"
 #include "app/scenes/presets.h"
 #include "app/window/layout.h"
 
@@ -54,6 +56,7 @@ std::unique_ptr<Player> make_player(const WindowOptions& options) {
 Workbench::Workbench(const WindowOptions& options, GlfwWindow& window)
     : window_(window), trace_(options.trace), player_(make_player(options)), remote_(*player_, notices_) {
     remote_.set_loaded(options.name);
+    clerk_.opened(options.recording, options.name);
     player_->play(options.recording.step == 0);
 }
 
@@ -73,7 +76,8 @@ void Workbench::frame() {
     brush_.end_frame(remote_);
     draw();
     window_.end_frame();
-    pictures_.end_frame(remote_.snapshot(), view_, notices_, trace_);
+    PanelContext seen = context();
+    clerk_.end_frame(seen, clock_.time());
     trace_.frame(frames_, remote_.steps_per_second(), remote_.playing(), remote_.session(), clock_.time());
 }
 
@@ -82,7 +86,7 @@ void Workbench::take_run() {
     remote_.begin_frame();
     const SessionSnapshot& session = remote_.session();
     const bool new_run = player_->take_measures(measures_);
-    history_.take(measures_, session.ids[remote_.selected()], new_run);
+    history_.take(measures_, new_run);
     measures_.clear();
     names_.update(session.setup);
     if (!available(*view_.shown, remote_.snapshot())) view_.shown = &views().front();
@@ -102,7 +106,10 @@ void Workbench::act_on(const InputEvent& event) {
     if (view_tool_.take(event, place_, view_)) return;
     switch (event.kind) {
         case Kind::Character:
-            type(event);
+            if (!files_.dialog) type(event);
+            break;
+        case Kind::Drop:
+            files_.open = event.path;
             break;
         case Kind::Key:
             press_key(event);
@@ -123,11 +130,27 @@ void Workbench::act_on(const InputEvent& event) {
 }
 
 void Workbench::press_key(const InputEvent& event) {
+    if (!ImGui::GetIO().WantTextInput && !files_.dialog) travel(event.code);
     if (event.repeated) return;
-    if (event.code == GLFW_KEY_F12) pictures_.ask();
+    if (event.code == GLFW_KEY_F12) files_.take_picture = true;
+    if (event.code == GLFW_KEY_ESCAPE) {
+        files_.escape = true;
+        view_.help = false;
+    }
     if (event.code == GLFW_KEY_TAB && !ImGui::GetIO().WantTextInput) view_.peek = true;
-    if (event.code == GLFW_KEY_ESCAPE) view_.help = false;
-    if (event.code == GLFW_KEY_Q && (event.mods & GLFW_MOD_CONTROL) != 0) window_.close();
+    if (event.code == GLFW_KEY_ENTER || event.code == GLFW_KEY_KP_ENTER) files_.enter = true;
+    if ((event.mods & GLFW_MOD_CONTROL) == 0) return;
+    if (event.code == GLFW_KEY_S) files_.save_run = true;
+    if (event.code == GLFW_KEY_O) files_.ask_open = true;
+    if (event.code == GLFW_KEY_Q) window_.close();
+}
+
+/// Along the timeline.
+void Workbench::travel(int key) {
+    if (key == GLFW_KEY_LEFT) walk(remote_, -1);
+    if (key == GLFW_KEY_RIGHT) walk(remote_, 1);
+    if (key == GLFW_KEY_HOME) remote_.seek(0);
+    if (key == GLFW_KEY_END) remote_.seek(remote_.session().last_step);
 }
 
 void Workbench::type(const InputEvent& event) {
@@ -152,14 +175,20 @@ void Workbench::type(const InputEvent& event) {
     const int digit = event.code - '1';
     if (digit < 0 || digit >= static_cast<int>(presets().size())) return;
     const Preset& preset = presets()[static_cast<std::size_t>(digit)];
-    remote_.load(preset.key, {.setup = {.scene = preset.scene()}});
+    remote_.load_scene(preset.key, preset.scene());
+}
+
+PanelContext Workbench::context() {
+    return {window_.theme(), remote_, view_,  measure_view_, files_, history_,
+            frames_,         fields_, names_, help_,         trace_, slabs_};
 }
 
 void Workbench::draw() {
     const SessionSnapshot& session = remote_.session();
     const Theme& theme = window_.theme();
-    PanelContext context{theme, remote_, view_, history_, frames_, fields_, names_, help_, trace_, slabs_};
+    PanelContext context = this->context();
     slabs_.clear();
+    files_.dialog = false;
     const Layout layout =
         lay_out(theme, field_shape(session, view_), static_cast<float>(window_.framebuffer_width()),
                 static_cast<float>(window_.framebuffer_height()));
@@ -176,6 +205,9 @@ void Workbench::draw() {
     begin_panel("measures", layout, layout.measures, theme, slabs_);
     draw_measure_column(context);
     ImGui::End();
+    draw_open_dialog(context);
+    draw_film_dialog(context);
+    files_.enter = files_.escape = false;
     draw_help_overlay(context);
     help_.end_frame();
     const ImVec2 mouse = ImGui::GetIO().MousePos;

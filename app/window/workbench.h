@@ -7,10 +7,10 @@
 #include "app/panels/hover_help.h"
 #include "app/panels/panel.h"
 #include "app/window/brush_tool.h"
+#include "app/window/clerk.h"
 #include "app/window/field_painter.h"
 #include "app/window/frame_clock.h"
 #include "app/window/glfw_window.h"
-#include "app/window/picture_taker.h"
 #include "app/window/view_tool.h"
 
 namespace whorl::app {
@@ -28,8 +28,10 @@ class Workbench {
   private:
     void act_on(const InputEvent& event);
     void press_key(const InputEvent& event);
+    void travel(int key);
     void type(const InputEvent& event);
     void take_run();
+    PanelContext context();
     void draw();
 
     GlfwWindow& window_;
@@ -38,6 +40,8 @@ class Workbench {
     int warm_up_ = 5;  ///< frames that are not measured yet
     Notices notices_;
     ViewState view_;
+    MeasureView measure_view_;
+    FileDesk files_;
     History history_;
     FrameLog frames_;
     HoverHelp help_;
@@ -46,12 +50,12 @@ class Workbench {
     FieldPlacement place_;
     Slabs slabs_;
     FieldPainter painter_;
-    PictureTaker pictures_;
     LaneFields fields_;
     LaneNames names_;
     std::vector<StepMeasures> measures_;
     std::unique_ptr<Player> player_;
     Remote remote_;
+    Clerk clerk_;
 };
 
 }  // namespace whorl::app

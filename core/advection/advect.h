@@ -31,6 +31,9 @@ class Mover {
         advect(Groups(&group, 1), velocity, dt, boundary, pool);
     }
 
+    /// What the last advect left of a predictor-corrector's way: its forward and its corrected fields.
+    const Workspace& workspace(std::size_t group) const { return work_[group]; }
+
   private:
     SchemeSet schemes_;
     int dimensions_ = 0;

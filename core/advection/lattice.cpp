@@ -53,6 +53,12 @@ bool Lattice::place(std::span<const Particle> particles) {
     return true;
 }
 
+Lattice::Origin Lattice::origin(const Point& point) const {
+    const auto cell = [&](int p) { return static_cast<int>(std::floor(static_cast<double>(p) / per_cell_)); };
+    const int i = cell(point.x), j = cell(point.y);
+    return {i, j, start(point.x - per_cell_ * i, point.y - per_cell_ * j)};
+}
+
 Vec2 Lattice::start(int x, int y) const {
     return Vec2((x + phase_) / per_cell_ - 0.5, (y + phase_) / per_cell_ - 0.5);
 }

@@ -86,6 +86,7 @@ Stencil::Stencil(Stencils::Id kind, int zeta, Weights::Id weights, int dimension
         }));
         sum += w.back();
     }
+    weight_sum_ = sum;
     count_ = static_cast<int>(offsets.size());
     for (int k = 0; k < count_; ++k) {
         particles_[k] = {Vec2(offsets[k].x, offsets[k].y), static_cast<Real>(w[k] / sum)};

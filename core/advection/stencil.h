@@ -23,8 +23,12 @@ class Stencil {
         return {particles_.data(), static_cast<std::size_t>(count_)};
     }
 
+    /// Of the weights as their formula gives them, before they were normalised.  [T 4.1]
+    double weight_sum() const { return weight_sum_; }
+
   private:
     std::array<Particle, max_particles> particles_;
+    double weight_sum_ = 0;
     int count_ = 0;
 };
 

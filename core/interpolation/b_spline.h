@@ -15,6 +15,7 @@ struct BSpline {
         "Approximates instead of interpolating, so that even a step at rest blurs."};
     static constexpr int support = 4;
     static constexpr bool overshoots = true;
+    static constexpr bool weighted_sum = true;
     /// Fewer samples than this between two walls have no internal row in the table.
     static constexpr int min_samples = 4;
 

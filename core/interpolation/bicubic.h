@@ -14,6 +14,7 @@ struct Bicubic {
         "One patch a cell from values and derivatives; equals Catmull-Rom in x and y."};
     static constexpr int support = 4;
     static constexpr bool overshoots = true;
+    static constexpr bool weighted_sum = true;
 
     /// @param qm … q2 samples i − 1 … i + 2, any unit
     /// @param t       place in [i, i + 1], 0 to 1

@@ -13,6 +13,7 @@ struct Bridson {
                                      "The cubic through the four nearest samples. Sharp, but overshoots."};
     static constexpr int support = 4;
     static constexpr bool overshoots = true;
+    static constexpr bool weighted_sum = true;
 
     /// @param qm … q2 samples i − 1 … i + 2, any unit
     /// @param t       place in [i, i + 1], 0 to 1

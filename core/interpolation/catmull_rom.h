@@ -15,13 +15,18 @@ struct CatmullRom {
         "The cubic with central slopes. Sharp, but overshoots near steep edges."};
     static constexpr int support = 4;
     static constexpr bool overshoots = true;
+    static constexpr bool weighted_sum = true;
 
     /// @param qm … q2 samples i − 1 … i + 2, any unit
     /// @param t       place in [i, i + 1], 0 to 1
     template <class T>
     static WHORL_INLINE T at(T qm, T q0, T q1, T q2, T t, IntervalFor<T>) {
-        const Slopes<T> d(qm, q0, q1, q2);
+        const Slopes<T> d = limited(Slopes<T>(qm, q0, q1, q2));
         return hermite(q0, d.D, d.left, d.right, t);
+    }
+    template <class T>
+    static WHORL_INLINE Slopes<T> limited(Slopes<T> d) {
+        return d;
     }
 };
 

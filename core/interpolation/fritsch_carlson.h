@@ -16,18 +16,25 @@ struct FritschCarlson {
                                      "A cubic with slopes limited so that it never overshoots."};
     static constexpr int support = 4;
     static constexpr bool overshoots = false;
+    static constexpr bool weighted_sum = false;
 
     /// @param qm … q2 samples i − 1 … i + 2, any unit
     /// @param t       place in [i, i + 1], 0 to 1
     template <class T>
     static WHORL_INLINE T at(T qm, T q0, T q1, T q2, T t, IntervalFor<T>) {
-        const Slopes<T> d(qm, q0, q1, q2);
+        const Slopes<T> d = limited(Slopes<T>(qm, q0, q1, q2));
+        return hermite(q0, d.D, d.left, d.right, t);
+    }
+    template <class T>
+    static WHORL_INLINE Slopes<T> limited(Slopes<T> d) {
         const T left = same_sign_or_zero(d.left, d.D);
         const T right = same_sign_or_zero(d.right, d.D);
         const T size2 = left * left + right * right;
         const T limit2 = 9 * d.D * d.D;
         const T tau = select(size2 > limit2, square_root(limit2 / size2), every<T>(1));
-        return hermite(q0, d.D, tau * left, tau * right, t);
+        d.left = tau * left;
+        d.right = tau * right;
+        return d;
     }
 };
 
@@ -39,13 +46,20 @@ struct FritschCarlsonSquare {
         "Fritsch-Carlson with each slope limited by itself: the smallest change."};
     static constexpr int support = 4;
     static constexpr bool overshoots = false;
+    static constexpr bool weighted_sum = false;
 
     /// @param qm … q2 samples i − 1 … i + 2, any unit
     /// @param t       place in [i, i + 1], 0 to 1
     template <class T>
     static WHORL_INLINE T at(T qm, T q0, T q1, T q2, T t, IntervalFor<T>) {
-        const Slopes<T> d(qm, q0, q1, q2);
-        return hermite(q0, d.D, limited(d.left, d.D), limited(d.right, d.D), t);
+        const Slopes<T> d = limited(Slopes<T>(qm, q0, q1, q2));
+        return hermite(q0, d.D, d.left, d.right, t);
+    }
+    template <class T>
+    static WHORL_INLINE Slopes<T> limited(Slopes<T> d) {
+        d.left = limited(d.left, d.D);
+        d.right = limited(d.right, d.D);
+        return d;
     }
 
   private:

@@ -14,6 +14,7 @@ struct Linear {
         "The straight line between neighbours. Never overshoots, smears the most."};
     static constexpr int support = 2;
     static constexpr bool overshoots = false;
+    static constexpr bool weighted_sum = true;
 
     /// @param q0, q1 samples i and i + 1, any unit
     /// @param t      place in the interval, 0 to 1

@@ -16,13 +16,20 @@ struct MonotoneCatmullRom {
         "Catmull-Rom with slopes of the wrong sign set to 0. Not quite monotone."};
     static constexpr int support = 4;
     static constexpr bool overshoots = true;
+    static constexpr bool weighted_sum = false;
 
     /// @param qm … q2 samples i − 1 … i + 2, any unit
     /// @param t       place in [i, i + 1], 0 to 1
     template <class T>
     static WHORL_INLINE T at(T qm, T q0, T q1, T q2, T t, IntervalFor<T>) {
-        const Slopes<T> d(qm, q0, q1, q2);
-        return hermite(q0, d.D, same_sign_or_zero(d.left, d.D), same_sign_or_zero(d.right, d.D), t);
+        const Slopes<T> d = limited(Slopes<T>(qm, q0, q1, q2));
+        return hermite(q0, d.D, d.left, d.right, t);
+    }
+    template <class T>
+    static WHORL_INLINE Slopes<T> limited(Slopes<T> d) {
+        d.left = same_sign_or_zero(d.left, d.D);
+        d.right = same_sign_or_zero(d.right, d.D);
+        return d;
     }
 };
 

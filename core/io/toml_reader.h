@@ -64,17 +64,17 @@ class TomlReader {
     using Key = std::pair<std::string_view, std::function<void(const toml::node&)>>;
     /// Hands each value of a table to its key, and knows no other keys.
     void keys(const toml::table& table, const std::vector<Key>& known) const {
-        for (const auto& [key, node] : table) {
+        for (auto&& [key, node] : table) {
             const std::string_view name = key.str();
-            const auto found =
-                std::find_if(known.begin(), known.end(), [&](const Key& k) { return k.first == name; });
-            if (found != known.end()) {
-                found->second(node);
-                continue;
-            }
+            const Key* found = nullptr;
             std::vector<std::string_view> names;
-            for (const Key& k : known) names.push_back(k.first);
-            fail(key.source(), "unknown key \"" + std::string(name) + "\"; " + suggestion(name, names));
+            for (const Key& k : known) {
+                if (k.first == name) found = &k;
+                names.push_back(k.first);
+            }
+            if (found == nullptr)
+                fail(key.source(), "unknown key \"" + std::string(name) + "\"; " + suggestion(name, names));
+            found->second(node);
         }
     }
 

@@ -1,9 +1,8 @@
 #include "core/pressure/conjugate_gradient.h"
 
-#include <algorithm>
 #include <cmath>
 
-#include "core/pressure/stopwatch.h"
+#include "core/pressure/preconditioned_iteration.h"
 #include "core/pressure/vector_clones.h"
 
 namespace whorl {
@@ -124,40 +123,30 @@ void ConjugateGradient::precondition() {
 
 SolveReport ConjugateGradient::solve(std::span<const double> b, double enough, std::span<double> p,
                                      Pool& pool) {
-    const Stopwatch watch;
-    SolveReport report;
+    struct Way {
+        ConjugateGradient& self;
+        std::span<double> p;
+        Pool& pool;
+        int n = static_cast<int>(p.size());
+
+        double precondition() {
+            self.precondition();
+            return dot(self.r_.data(), self.z_.data(), n);
+        }
+        double search(double beta) {
+            scale_and_add(self.z_.data(), beta, self.direction_.data(), n);
+            self.poisson_.residual(self.zeros_, self.direction_, -1, self.product_, pool);
+            return dot(self.direction_.data(), self.product_.data(), n);
+        }
+        double descend(double alpha, double gain) {
+            add(gain, self.direction_.data(), p.data(), n);
+            add(-alpha, self.product_.data(), self.r_.data(), n);
+            return self.poisson_.largest(self.r_, pool);
+        }
+    };
+    SolveReport report = iterate(poisson_, b, enough, p, r_, most_iterations, pool, Way{*this, p, pool});
     report.solver = info.key;
     report.setup_ms = setup_ms_;
-    const int n = static_cast<int>(b.size());
-    const double largest = poisson_.largest(b, pool);
-    if (!(largest > 0)) {
-        std::fill(p.begin(), p.end(), 0.0);
-        return report;
-    }
-    // Near 1, by a power of 2, so that squares neither overflow nor vanish whatever b's unit.
-    const double scale = std::exp2(-std::ilogb(largest));
-    double peak = poisson_.residual(b, p, scale, r_, pool);
-    if (!(peak <= scale * largest)) {  // the guess is worse than none
-        std::fill(p.begin(), p.end(), 0.0);
-        peak = poisson_.residual(b, p, scale, r_, pool);
-    }
-    double before = 0;
-    while (peak > scale * enough && report.iterations < most_iterations) {
-        precondition();
-        const double along = dot(r_.data(), z_.data(), n);
-        scale_and_add(z_.data(), before > 0 ? along / before : 0, direction_.data(), n);
-        poisson_.residual(zeros_, direction_, -1, product_, pool);
-        const double energy = dot(direction_.data(), product_.data(), n);
-        if (!(energy > 0)) break;
-        const double alpha = along / energy;
-        add(alpha / scale, direction_.data(), p.data(), n);
-        add(-alpha, product_.data(), r_.data(), n);
-        peak = poisson_.largest(r_, pool);
-        before = along;
-        ++report.iterations;
-    }
-    report.residual = peak / (scale * largest);
-    report.solve_ms = watch.ms();
     return report;
 }
 

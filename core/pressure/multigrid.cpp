@@ -1,12 +1,11 @@
 #include "core/pressure/multigrid.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/pressure/multigrid_cycle.h"
 #include "core/pressure/poisson_rows.h"
+#include "core/pressure/preconditioned_iteration.h"
 #include "core/pressure/row_bands.h"
-#include "core/pressure/stopwatch.h"
 
 namespace whorl {
 namespace {
@@ -30,34 +29,18 @@ void Multigrid::prepare(const Boundary& boundary, Pool& pool) {
 }
 
 SolveReport Multigrid::solve(std::span<const double> b, double enough, std::span<double> p, Pool& pool) {
-    const Stopwatch watch;
-    SolveReport report;
+    struct Way {
+        Multigrid& self;
+        std::span<double> p;
+        Pool& pool;
+
+        double precondition() { return self.precondition(pool); }
+        double search(double beta) { return self.search(static_cast<float>(beta), pool); }
+        double descend(double alpha, double gain) { return self.descend(alpha, gain, p, pool); }
+    };
+    SolveReport report = iterate(poisson_, b, enough, p, r_, most_iterations, pool, Way{*this, p, pool});
     report.solver = info.key;
     report.setup_ms = setup_ms_;
-    const double largest = poisson_.largest(b, pool);
-    if (!(largest > 0)) {
-        std::fill(p.begin(), p.end(), 0.0);
-        return report;
-    }
-    // The residual is kept near 1, by a power of 2, so that floats hold it whatever b's unit.
-    const double scale = std::exp2(-std::ilogb(largest));
-    double peak = poisson_.residual(b, p, scale, r_, pool);
-    if (!(peak <= scale * largest)) {  // the guess is worse than none
-        std::fill(p.begin(), p.end(), 0.0);
-        peak = poisson_.residual(b, p, scale, r_, pool);
-    }
-    double before = 0;
-    while (peak > scale * enough && report.iterations < most_iterations) {
-        const double along = precondition(pool);
-        const double energy = search(before > 0 ? static_cast<float>(along / before) : 0.0F, pool);
-        if (!(energy > 0)) break;
-        const double alpha = along / energy;
-        peak = descend(alpha, alpha / scale, p, pool);
-        before = along;
-        ++report.iterations;
-    }
-    report.residual = peak / (scale * largest);
-    report.solve_ms = watch.ms();
     return report;
 }
 

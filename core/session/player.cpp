@@ -70,6 +70,15 @@ std::optional<long> Player::sought() const {
     return rewind_to_ ? rewind_to_ : target_;
 }
 
+void Player::keep_advections(bool keep) {
+    const std::lock_guard lock(mutex_);
+    const Keep wanted = keep ? Keep::Advection : Keep::Nothing;
+    if (wanted == keep_) return;
+    keep_ = wanted;
+    again_ = keep;
+    wake_.notify_all();
+}
+
 void Player::save() {
     const std::lock_guard lock(mutex_);
     save_ = true;
@@ -150,6 +159,8 @@ void Player::work(const std::stop_token& stop) {
             act(lock);
         } else if (save_) {
             hand_over(lock);
+        } else if (again_) {
+            publish(lock, Event::Edited);
         } else if (wants_step()) {
             step(lock);
         } else {
@@ -288,8 +299,10 @@ void Player::publish(Lock& lock, Event event) {
     SessionSnapshot& out = snapshots_[spare_];
     const SessionSnapshot& last = snapshots_[fresh_ ? newest_ : shown_];
     out.taken = taken_;
+    again_ = false;
+    const Keep keep = keep_;
     lock.unlock();
-    take_snapshot(*session_, last, pool_, out);
+    take_snapshot(*session_, last, pool_, out, keep);
     out.run = last.run + (event == Event::Began ? 1 : 0);
     out.serial = last.serial + 1;
     lock.lock();

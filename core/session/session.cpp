@@ -131,9 +131,10 @@ void Session::arrange(const Arrange& a) {
 
 void Session::rewind(long step) {
     if (!complete_) throw InputError("more was drawn than a recording holds; restart to record anew");
-    const auto [kept_step, kept] = kept_.before(step);
+    const auto before = kept_.before(step);
+    const Moment* kept = before.second;
     if (kept == nullptr) return begin();
-    step_ = kept_step;
+    step_ = before.first;
     time_ = kept->time;
     acted_ = kept->acted;
     setup_ = kept->setup;

@@ -29,7 +29,7 @@ void speed_and_divergence(const State& state, Pool& pool, Snapshot& out) {
 
 }  // namespace
 
-void take_snapshot(const Lane& lane, Pool& pool, Snapshot& out) {
+void take_snapshot(const Lane& lane, Pool& pool, Snapshot& out, Keep keep) {
     const Simulation& simulation = lane.simulation();
     const State& state = simulation.state();
     out.scene = simulation.scene();
@@ -48,12 +48,21 @@ void take_snapshot(const Lane& lane, Pool& pool, Snapshot& out) {
     speed_and_divergence(state, pool, out);
     vorticity(state.velocity, state.boundary, out.vorticity, pool);
     out.has_exact = simulation.exact(out.exact);
+    const auto advection = keep == Keep::Advection ? simulation.last_advection() : std::nullopt;
+    if (!advection) {
+        out.advection.reset();
+        return;
+    }
+    if (!out.advection) out.advection.emplace();
+    out.advection->keep(*advection);
 }
 
-void take_snapshot(const Session& session, const SessionSnapshot& last, Pool& pool, SessionSnapshot& out) {
+void take_snapshot(const Session& session, const SessionSnapshot& last, Pool& pool, SessionSnapshot& out,
+                   Keep keep) {
     out.setup = session.setup();
     out.step = session.step_number();
     out.last_step = session.last_step();
+    out.complete = session.complete();
     out.time = session.time();
     out.lanes.resize(session.lane_count());
     out.ids.resize(session.lane_count());
@@ -65,7 +74,7 @@ void take_snapshot(const Session& session, const SessionSnapshot& last, Pool& po
             lane = last.lanes[static_cast<std::size_t>(before - last.ids.begin())];
             lane.failure = session.lane(k).failure();
         } else {
-            take_snapshot(session.lane(k), pool, lane);
+            take_snapshot(session.lane(k), pool, lane, keep);
             lane.measures = session.measures(k);
         }
     }

@@ -22,8 +22,16 @@ struct Snapshot {
     Field exact;                         ///< the exact density, where has_exact
     bool has_exact = false;
     Measures measures;
+    /// What the last step's advection began with, where that was asked for and is known.
+    std::optional<KeptAdvection> advection;
     std::optional<std::string> failure;  ///< why the lane has stopped; the fields are the last sound ones
 };
+
+/// The last advection of a snapshot that has kept it.
+inline std::optional<LastAdvection> last_advection(const Snapshot& s) {
+    if (!s.advection) return std::nullopt;
+    return s.advection->last(s.density, s.temperature, s.velocity);
+}
 
 /// All lanes at one step.
 struct SessionSnapshot {
@@ -32,6 +40,7 @@ struct SessionSnapshot {
     std::vector<int> ids;         ///< see Session::id
     long step = 0;                ///< of the session
     long last_step = 0;           ///< that can be gone to
+    bool complete = true;         ///< whether the recording holds all of the run
     double time = 0;
     std::uint64_t taken = 0;   ///< commands of the player that have been taken, see Player::push
     std::uint64_t serial = 0;  ///< grows with every snapshot
@@ -41,11 +50,15 @@ struct SessionSnapshot {
     std::uint64_t digest() const;
 };
 
+/// What to copy beside the present state.
+enum class Keep { Nothing, Advection };
+
 /// Copies a sound lane's present state; allocates only when the grid has changed.
-void take_snapshot(const Lane& lane, Pool& pool, Snapshot& out);
+void take_snapshot(const Lane& lane, Pool& pool, Snapshot& out, Keep keep = Keep::Nothing);
 
 /// Copies a session's present state; a lane that has stopped keeps the fields of `last`, the snapshot before.
 /// Leaves serial and run alone.
-void take_snapshot(const Session& session, const SessionSnapshot& last, Pool& pool, SessionSnapshot& out);
+void take_snapshot(const Session& session, const SessionSnapshot& last, Pool& pool, SessionSnapshot& out,
+                   Keep keep = Keep::Nothing);
 
 }  // namespace whorl

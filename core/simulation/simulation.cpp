@@ -39,6 +39,7 @@ Simulation::Simulation(Scene scene, Pool& pool) : scene_(std::move(scene)), pool
 }
 
 void Simulation::restart() {
+    advected_.reset();
     experiment_ = &experiment(scene_.experiment);
     state_ = make_state(scene_);
     if (experiment_->start) experiment_->start(state_);
@@ -57,6 +58,7 @@ void Simulation::set_scene(const Scene& scene) {
     if (!(state_.grid() == scene.grid()) ||
         state_.boundary.periodic() != (scene.sides == Sides::of<Periodic>())) {
         const FlowSums before = meter_.flow(state_.velocity, state_.boundary, *pool_);
+        advected_.reset();
         state_ = resample(state_, scene);
         projection_.restore({}, state_.boundary, *pool_);
         resampled_ += meter_.flow(state_.velocity, state_.boundary, *pool_) - before;
@@ -73,10 +75,12 @@ void Simulation::set_scene(const Scene& scene) {
 }
 
 void Simulation::apply(const SmokeStroke& stroke) {
+    if (experiment_->flow) advected_.reset();  // it pushes the very flow that moved the density
     whorl::apply(stroke, state_);
 }
 
 void Simulation::apply(const ObstacleStroke& stroke) {
+    advected_.reset();
     whorl::apply(stroke, state_, scene_.ambient);
 }
 
@@ -86,6 +90,7 @@ void Simulation::set(const Scene& scene) {
 }
 
 void Simulation::restore(const Checkpoint& checkpoint) {
+    advected_.reset();
     state_ = checkpoint.state;
     set_scene(checkpoint.scene);
     measures_ = checkpoint.measures;
@@ -189,6 +194,19 @@ void Simulation::advect() {
         state_.boundary.enforce(state_.velocity);
     }
     std::swap(state_.density, next_density_);
+    advected_ = {scene_.velocity, scene_.scalars, scene_.dt, scene_.seed};
+}
+
+std::optional<LastAdvection> Simulation::last_advection() const {
+    if (!advected_) return std::nullopt;
+    if (experiment_->flow)
+        return LastAdvection{
+            *advected_, &state_.boundary, &state_.velocity, {&next_density_}, {&state_.density}};
+    return LastAdvection{*advected_,
+                         &state_.boundary,
+                         &next_velocity_,
+                         {&next_density_, &next_temperature_, &next_velocity_.u, &next_velocity_.v},
+                         {&state_.density, &state_.temperature, &state_.velocity.u, &state_.velocity.v}};
 }
 
 bool Simulation::exact(Field& density) const {

@@ -1,12 +1,15 @@
 // A running scene: the order of a step, and nothing else.
 #pragma once
 
+#include <optional>
+
 #include "core/advection/advect.h"
 #include "core/experiments/experiment.h"
 #include "core/forces/brush.h"
 #include "core/forces/confinement.h"
 #include "core/measure/measures.h"
 #include "core/pressure/projection.h"
+#include "core/simulation/last_advection.h"
 
 namespace whorl {
 
@@ -49,6 +52,9 @@ class Simulation {
     const Measures& measures() const { return measures_; }
     /// Writes the exact density at the present time. @return false where it is not known
     bool exact(Field& density) const;
+    /// What the last step's advection began with; nothing before the first step, or where the fields or walls
+    /// have changed since. Holds until the next step or change.
+    std::optional<LastAdvection> last_advection() const;
 
   private:
     void set_scene(const Scene& scene);
@@ -71,6 +77,8 @@ class Simulation {
     Mover velocity_mover_, scalars_mover_;
     FaceVelocity next_velocity_;
     Field next_density_, next_temperature_, exact_;
+    /// Of the last step: what it moved is then in next_… as it was before.
+    std::optional<AdvectionSetup> advected_;
     Meter meter_;
     FlowSums resampled_;  ///< what changes of grid did to the flow since the last step
 };

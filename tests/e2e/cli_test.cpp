@@ -40,6 +40,7 @@ TEST_F(CommandLine, DrawsEveryView) {
     }
     EXPECT_EQ(whorl("experiment rest --set resolution=20 --at 3 --picture v.png --view difference").code, 0);
     expect_refused(whorl("run plume --steps 1 --picture v.png --view exact"), "no exact to show");
+    EXPECT_EQ(whorl("run plume --lanes tracers --steps 3 --set resolution=16 --picture v.png --difference").code, 0);
 }
 
 TEST_F(CommandLine, SameRowsForAnyThreadCount) {
@@ -54,6 +55,25 @@ TEST_F(CommandLine, MeasuresAnExperimentAtItsSteps) {
     EXPECT_TRUE(o.out.starts_with("step,time,L1,L2,Linf,density_percent,min,max\n1,"));
     // No exact solution, no error.
     EXPECT_NE(whorl("experiment rotation --at 30").out.find("30,0.5,,,,"), std::string::npos);
+}
+
+TEST_F(CommandLine, ExplainsAValue) {
+    const Outcome o = whorl("explain plume --at 30 --cell 16,2 --set resolution=32 --set advector=aslam");
+    EXPECT_EQ(o.code, 0) << o.out;
+    for (const char* words : {"Density at (16, 2): ", "back along the flow: (20.625, 3.125) → (",
+                              "25 particles", "x_s (+0.5, -0.25)", "thesis alg. 4.1, eq. 4.1–4.3",
+                              "thesis eq. 4.2–4.3", "limiter: Clamp", "limiters acted at "}) {
+        EXPECT_NE(o.out.find(words), std::string::npos) << words << "\n" << o.out;
+    }
+    const Outcome lanes =
+        whorl("explain plume --at 3 --cell 32,2 --field u --set resolution=32 --lanes tracers");
+    EXPECT_EQ(lanes.code, 0) << lanes.out;
+    EXPECT_NE(lanes.out.find("on a wall: no velocity across"), std::string::npos) << lanes.out;
+    expect_refused(whorl("explain plume --at 3 --cell 16"), "--cell takes two numbers");
+    expect_refused(whorl("explain plume --at 3 --cell 500,2"), "(500, 2) is no node of density");
+    expect_refused(whorl("explain plume --at 0 --cell 5,2"), "step 1 is the first");
+    expect_refused(whorl("explain plume --at 3 --cell 5,2 --field densty"), "did you mean density");
+    expect_refused(whorl("explain rotation --at 3 --cell 5,2 --field u"), "the flow is prescribed");
 }
 
 TEST_F(CommandLine, Converges) {

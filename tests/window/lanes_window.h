@@ -25,12 +25,13 @@ struct LanesWindow {
         const SessionSnapshot& session = remote.session();
         std::vector<StepMeasures> measures;
         const bool new_run = player.take_measures(measures);
-        history.take(measures, session.ids[remote.selected()], new_run);
+        history.take(measures, new_run);
         names.update(session.setup);
         fields.update(session, *view.shown, view.difference);
         view.range.follow(*view.shown, view.difference, fields.span(), ColourRange::at_once);
         slabs.clear();
-        PanelContext context{ui.theme, remote, view, history, frames, fields, names, hover, trace, slabs};
+        PanelContext context{ui.theme, remote, view,  measure_view, files, history,
+                             frames,   fields, names, hover,        trace, slabs};
         const ImVec2 size = ImGui::GetIO().DisplaySize;
         layout = lay_out(ui.theme, field_shape(session, view), size.x, size.y);
         ui.frame([&] {
@@ -69,6 +70,8 @@ struct LanesWindow {
     Notices notices;
     Remote remote{player, notices};
     ViewState view;
+    MeasureView measure_view;
+    FileDesk files;
     History history;
     FrameLog frames;
     LaneFields fields;

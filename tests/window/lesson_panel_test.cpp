@@ -35,7 +35,8 @@ struct LessonWindow {
         names.update(session.setup);
         fields.update(session, *view.shown, view.difference);
         slabs.clear();
-        PanelContext context{ui.theme, remote, view, history, frames, fields, names, hover, trace, slabs};
+        PanelContext context{ui.theme, remote, view,  measures, files, history,
+                             frames,   fields, names, hover,    trace, slabs};
         const ImVec2 screen = ImGui::GetIO().DisplaySize;
         const float width = ui.theme.px(lesson_column_width);
         const float margin = ui.theme.px(8);
@@ -79,6 +80,8 @@ struct LessonWindow {
     Notices notices;
     Remote remote{player, notices};
     ViewState view;
+    MeasureView measures;
+    FileDesk files;
     History history;
     FrameLog frames;
     LaneFields fields;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <thread>
 
@@ -21,6 +22,15 @@ struct Steered {
 
     void choose(std::string_view key, std::string_view value) {
         remote.set(parameter(key), parameter(key).parse(value));
+    }
+    template <class Condition>
+    bool eventually(Condition&& condition) {
+        for (int k = 0; k < 500; ++k) {
+            remote.begin_frame();
+            if (condition()) return true;
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        }
+        return false;
     }
     bool acted() {
         for (int k = 0; k < 500; ++k) {
@@ -164,6 +174,54 @@ TEST(Remote, SelectionStaysWithALaneThatMovesAndGoesToOneThatIsAdded) {
     EXPECT_EQ(s.remote.selected(), 0u);
     EXPECT_EQ(s.remote.other(), 0u);
     EXPECT_FALSE(s.remote.lane_only()) << "one lane is all lanes";
+}
+
+TEST(Remote, ARestartKeepsTheSelectedLane) {
+    Steered s(three_lanes());
+    s.remote.select(2);
+    Arrange moved = s.remote.arrangement();
+    std::rotate(moved.lanes.begin(), moved.lanes.begin() + 2, moved.lanes.end());
+    std::rotate(moved.from.begin(), moved.from.begin() + 2, moved.from.end());
+    EXPECT_TRUE(s.remote.arrange(moved));
+    ASSERT_TRUE(settled(s));
+    ASSERT_EQ(s.remote.session().setup.lanes[s.remote.selected()].name, "c");
+    const int run = s.remote.session().run;
+    s.remote.restart();
+    for (int k = 0; k < 500 && s.remote.session().run == run; ++k) {
+        s.remote.begin_frame();
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    ASSERT_NE(s.remote.session().run, run);
+    EXPECT_EQ(s.remote.session().setup.lanes[s.remote.selected()].name, "c");
+}
+
+TEST(Remote, AnotherSceneKeepsTheLanesThatAreCompared) {
+    Steered s;
+    Arrange two = s.remote.arrangement();
+    two.lanes = {LaneSetup{.name = "a"}, LaneSetup{.name = "b", .overrides = {{"zeta", "3"}}}};
+    two.from = {0, 0};
+    s.remote.arrange(two, 1);
+    ASSERT_TRUE(s.eventually([&] { return s.remote.session().lanes.size() == 2; }));
+    Scene other;
+    other.title = "another";
+    s.remote.load_scene("another", other);
+    ASSERT_TRUE(s.eventually([&] { return s.remote.setup().scene.title == "another"; }));
+    EXPECT_EQ(s.remote.setup().lanes, two.lanes);
+    EXPECT_EQ(s.remote.selected(), 1u) << "the selected one too";
+    EXPECT_TRUE(s.notices.shown().empty());
+    // One with which they do not go.
+    s.choose("interpolation", "linear");
+    Arrange particles = s.remote.arrangement();
+    particles.lanes[0].set({"advector", "aslam"});
+    s.remote.arrange(particles);
+    Scene cubic;
+    cubic.title = "cubic";
+    set_parameter(cubic, "interpolation=bicubic");
+    s.remote.load_scene("cubic", cubic);
+    ASSERT_TRUE(s.eventually([&] { return s.remote.setup().scene.title == "cubic"; }));
+    EXPECT_EQ(s.remote.setup().lanes.size(), 1u);
+    ASSERT_EQ(s.notices.shown().size(), 1u);
+    EXPECT_NE(s.notices.shown()[0].text.find("begins with one"), std::string::npos);
 }
 
 TEST(Remote, LanesThatCannotBeAreANotice) {

@@ -1,4 +1,4 @@
-#include "app/panels/lane_names.h"
+#include "app/views/lane_names.h"
 
 namespace whorl::app {
 
@@ -12,7 +12,7 @@ void LaneNames::update(const Setup& setup) {
     differences_ = differences(lane_scenes(coarse));
     for (std::size_t k = 0; k < names_.size(); ++k) {
         const LaneSetup& lane = setup.lanes[k];
-        if (lane.name.empty()) differences_[k].clear();
+        if (lane.name.empty() || lane.name == differences_[k]) differences_[k].clear();
         if (lane.refine > 1)
             differences_[k] +=
                 (differences_[k].empty() ? "" : " · ") + std::to_string(lane.refine) + " × finer";

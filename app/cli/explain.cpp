@@ -1,0 +1,59 @@
+// `whorl explain`: how a step made one value.
+#include <cstdio>
+
+#include "app/cli/headless.h"
+#include "app/cli/progress.h"
+#include "app/cli/verbs.h"
+#include "core/inspect/explain.h"
+#include "core/inspect/limiter_map.h"
+#include "core/inspect/text.h"
+#include "core/scene/error.h"
+#include "core/schemes/suggest.h"
+
+namespace whorl::app {
+namespace {
+
+Quantity quantity_called(const std::string& key) {
+    std::vector<std::string_view> keys;
+    for (std::size_t k = 0; k < quantities.size(); ++k) {
+        if (quantities[k].key == key) return static_cast<Quantity>(k);
+        keys.push_back(quantities[k].key);
+    }
+    throw InputError("no field is called \"" + key + "\"; " + suggestion(key, keys));
+}
+
+}  // namespace
+
+int run_explain(const ExplainArguments& arguments) {
+    const Quantity quantity = quantity_called(arguments.field);
+    if (arguments.at < 1)
+        throw InputError("--at = " + std::to_string(arguments.at) + ": step 1 is the first");
+    if (arguments.cell.size() != 2) throw InputError("--cell takes two numbers, as 20,12");
+    Pool pool(arguments.threads);
+    Session session(recording_for(arguments.scene, arguments.lanes, arguments.set), pool);
+    {
+        Progress progress(arguments.scene, arguments.at);
+        while (session.step_number() < arguments.at && session.sound()) {
+            session.step();
+            progress.at(session.step_number());
+        }
+    }
+    const std::vector<std::string> names = titles(session.setup());
+    for (std::size_t k = 0; k < session.lane_count(); ++k) {
+        const Lane& lane = session.lane(k);
+        if (lane.failure()) throw NotFinite(names[k] + ": " + *lane.failure());
+        const auto last = lane.simulation().last_advection();
+        if (!last)
+            throw InputError("the fields or walls were changed right after step " +
+                             std::to_string(arguments.at) + "; ask for another one");
+        if (session.lane_count() > 1) std::printf("%s%s\n", k == 0 ? "" : "\n", names[k].c_str());
+        std::fputs(write_text(explain(*last, quantity, arguments.cell[0], arguments.cell[1], pool)).c_str(),
+                   stdout);
+        Field marks;
+        const int limited = limiter_map(*last, quantity, pool, marks);
+        std::printf("limiters acted at %d of %d nodes\n", limited, marks.width() * marks.height());
+    }
+    return 0;
+}
+
+}  // namespace whorl::app

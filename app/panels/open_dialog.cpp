@@ -1,0 +1,115 @@
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "app/panels/dialogs.h"
+#include "app/panels/widgets.h"
+#include "app/scenes/presets.h"
+
+namespace whorl::app {
+namespace {
+
+/// As many files as a person looks through.
+constexpr std::size_t most_entries = 500;
+
+void choose(PanelContext& context) {
+    context.files.open = context.files.path;
+    ImGui::CloseCurrentPopup();
+}
+
+void list(PanelContext& context) {
+    const Theme& theme = context.theme;
+    FileDesk& files = context.files;
+    ImGui::BeginChild("entries", {0, theme.px(260)}, true);
+    for (const RunEntry& entry : files.entries) {
+        const bool chosen = files.path == entry.name;
+        if (ImGui::Selectable(("##" + entry.name).c_str(), chosen,
+                              ImGuiSelectableFlags_AllowDoubleClick | ImGuiSelectableFlags_DontClosePopups)) {
+            files.path = entry.name;
+            if (ImGui::IsMouseDoubleClicked(0)) choose(context);
+        }
+        context.trace.control("open=" + entry.name);
+        ImGui::SameLine(theme.px(8));
+        text(theme.palette.text, entry.name);
+        ImGui::SameLine(0, theme.px(12));
+        text(theme.palette.text_dim, fitted(entry.title, ImGui::GetContentRegionAvail().x));
+    }
+    ImGui::EndChild();
+}
+
+}  // namespace
+
+bool begin_dialog(PanelContext& context, const char* title, float width) {
+    const Theme& theme = context.theme;
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({0.5f * screen.x, 0.5f * screen.y}, ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::SetNextWindowSize({std::min(theme.px(width), screen.x - theme.px(32)), 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(theme.px(20), theme.px(16)));
+    const bool open = ImGui::BeginPopupModal(
+        title, nullptr,
+        ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+            ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
+    ImGui::PopStyleVar();
+    if (!open) return false;
+    context.files.dialog = true;
+    ImGui::PushFont(theme.title);
+    ImGui::TextUnformatted(title);
+    ImGui::PopFont();
+    if (context.files.escape) ImGui::CloseCurrentPopup();
+    return true;
+}
+
+std::vector<RunEntry> runs_here() {
+    namespace fs = std::filesystem;
+    std::vector<RunEntry> entries;
+    for (const Preset& preset : presets())
+        entries.push_back({std::string(preset.key), preset.scene().title + " · preset"});
+    const std::size_t files_from = entries.size();
+    std::error_code ignored;
+    fs::directory_iterator file(fs::current_path(ignored), ignored);
+    for (; file != fs::directory_iterator() && entries.size() < most_entries; file.increment(ignored)) {
+        const std::string kind = file->path().extension().string();
+        if (!file->is_regular_file(ignored)) continue;
+        if (kind == ".toml") entries.push_back({file->path().filename().string(), "scene or run"});
+        if (kind == ".png") entries.push_back({file->path().filename().string(), "picture"});
+    }
+    std::sort(entries.begin() + static_cast<std::ptrdiff_t>(files_from), entries.end(),
+              [](const RunEntry& a, const RunEntry& b) { return a.name < b.name; });
+    return entries;
+}
+
+void draw_open_dialog(PanelContext& context) {
+    const Theme& theme = context.theme;
+    FileDesk& files = context.files;
+    if (std::exchange(files.ask_open, false)) {
+        files.entries = runs_here();
+        files.path.clear();
+        ImGui::OpenPopup("Open");
+    }
+    if (!begin_dialog(context, "Open", 560)) return;
+    text(theme.palette.text_dim, "A preset, a scene or run (.toml), or a picture of Whorl (.png)");
+    list(context);
+    ImGui::SetNextItemWidth(-FLT_MIN);
+    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+    ImGui::InputTextWithHint("##path", "name or path of a file", &files.path);
+    context.trace.control("open-path");
+    context.help.item(
+        theme, "open-path",
+        {"Path", "A preset's name, or the path of a file. Files can also be dropped on the window.", "", "",
+         ""});
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    const float width = std::floor((ImGui::GetContentRegionAvail().x - gap) / 2);
+    ImGui::BeginDisabled(files.path.empty());
+    if (ImGui::Button("Open", {width, 0}) || (files.enter && !files.path.empty())) choose(context);
+    ImGui::EndDisabled();
+    context.trace.control("open-do");
+    ImGui::SameLine();
+    if (ImGui::Button("Cancel", {width, 0})) ImGui::CloseCurrentPopup();
+    context.trace.control("open-cancel");
+    ImGui::EndPopup();
+}
+
+}  // namespace whorl::app

@@ -1,0 +1,107 @@
+#include "app/panels/timeline.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "app/panels/widgets.h"
+
+namespace whorl::app {
+namespace {
+
+std::string help_text() {
+    return "Drag to go to any step of the run; it is worked out again from moments that are kept, and stands "
+           "paused there. What you do there replaces what came after. Keys: ← and → a step, Home and End.";
+}
+
+std::string memory_text() {
+    return "The moments kept take up to " + std::to_string(Session::moments_limit >> 20) +
+           " MB; when that is full, every other one goes and going back takes longer.";
+}
+
+/// What the line under the slider says, from all of it to what fits.
+std::string state_line(const SessionSnapshot& moment, std::optional<long> sought, float width) {
+    const std::string step = std::to_string(moment.step);
+    const std::string last = std::to_string(moment.last_step);
+    std::vector<std::string> lines;
+    if (sought && *sought != moment.step) {
+        lines = {"at step " + step + ", on the way to " + std::to_string(*sought),
+                 "going to " + std::to_string(*sought)};
+    } else if (moment.step < moment.last_step) {
+        lines = {"step " + step + " of " + last + " · replays what was recorded",
+                 "step " + step + " of " + last + " · replay", step + " / " + last};
+    } else {
+        lines = {"step " + step};
+    }
+    for (const std::string& line : lines) {
+        if (ImGui::CalcTextSize(line.c_str()).x <= width) return line;
+    }
+    return lines.back();
+}
+
+}  // namespace
+
+void walk(Remote& remote, long by) {
+    const SessionSnapshot& moment = remote.session();
+    const long from = remote.sought().value_or(moment.step);
+    if (by > 0 && from >= moment.last_step) {
+        remote.step();
+    } else {
+        remote.seek(std::max(0L, from + by));
+    }
+}
+
+void draw_timeline(PanelContext& context) {
+    const Theme& theme = context.theme;
+    const Palette& palette = theme.palette;
+    const SessionSnapshot& moment = context.remote.session();
+    const std::optional<long> sought = context.remote.sought();
+    const long last = std::max(1L, moment.last_step);
+
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float height = theme.px(18);
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    ImGui::InvisibleButton("timeline", {width, height});
+    context.trace.control("timeline");
+    const bool held = ImGui::IsItemActive();
+    const bool hovered = ImGui::IsItemHovered();
+    const float radius = theme.px(6);
+    const float left = corner.x + radius;
+    const float span = width - 2 * radius;
+    const auto pixel = [&](long step) {
+        return left + span * static_cast<float>(std::clamp(step, 0L, last)) / static_cast<float>(last);
+    };
+    if (held) {
+        const float share = std::clamp((ImGui::GetIO().MousePos.x - left) / span, 0.0f, 1.0f);
+        const long to = std::lround(static_cast<double>(share) * static_cast<double>(moment.last_step));
+        if (to != sought.value_or(moment.step)) context.remote.seek(to);
+    }
+    context.help.item(theme, "timeline", {"Timeline", help_text(), memory_text(), "", ""});
+
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float middle = std::floor(corner.y + 0.5f * height);
+    const float thick = theme.px(2);
+    const float here = pixel(moment.step);
+    list.AddRectFilled({left, middle - thick}, {left + span, middle + thick}, palette.frame, thick);
+    if (here > left)
+        list.AddRectFilled({left, middle - thick}, {here, middle + thick}, faded(palette.accent, 0.75f),
+                           thick);
+    if (sought && *sought != moment.step) {
+        list.AddCircle({pixel(*sought), middle}, radius - theme.px(0.5f), palette.text, 0, theme.px(1.5f));
+        list.AddCircleFilled({here, middle}, theme.px(4), palette.accent);
+    } else {
+        list.AddCircleFilled({here, middle}, radius, held || hovered ? palette.text : palette.accent);
+    }
+    ImGui::PushFont(theme.small);
+    text(palette.text_dim, state_line(moment, sought, width));
+    if (!moment.complete) {
+        ImGui::PushTextWrapPos(0);
+        text(palette.accent, "The recording is full: what is done from here on is not saved or replayed.");
+        ImGui::PopTextWrapPos();
+    }
+    ImGui::PopFont();
+}
+
+}  // namespace whorl::app

@@ -1,0 +1,96 @@
+#include "app/views/session_sheet.h"
+
+#include <algorithm>
+
+#include "app/plot/ticks.h"
+#include "app/views/lane_names.h"
+
+namespace whorl::app {
+namespace {
+
+std::string moment(const SessionSnapshot& s) {
+    return "step " + std::to_string(s.step) + " · t = " + figure(s.time);
+}
+
+/// What the lanes have in common, and the moment if it is one.
+std::string caption_of(std::span<const SessionSnapshot> rows) {
+    const SessionSnapshot& s = rows.front();
+    const Snapshot& lane = s.lanes.front();
+    if (rows.size() == 1 && s.lanes.size() == 1) return caption(lane);
+    const auto agree = [&](auto&& of) {
+        return std::all_of(s.lanes.begin(), s.lanes.end(),
+                           [&](const Snapshot& other) { return of(other.scene) == of(lane.scene); });
+    };
+    std::string text;
+    if (agree([](const Scene& scene) { return std::pair(scene.scalars, scene.velocity); }))
+        text = describe(lane.scene) + "\n";
+    const Scene& scene = s.setup.scene;
+    text += std::to_string(scene.grid().nx) + " × " + std::to_string(scene.grid().ny) +
+            " · Δt = " + figure(scene.dt);
+    return rows.size() == 1 ? text + " · " + moment(s) : text;
+}
+
+SheetCell cell_of(const SessionSnapshot& s, std::size_t k, const LaneNames& names, const LaneFields& fields,
+                  bool arrows) {
+    const Snapshot& lane = s.lanes[k];
+    SheetCell cell;
+    cell.field = fields.of(k);
+    cell.cells = {lane.grid.nx, lane.grid.ny};
+    if (s.lanes.size() > 1) {
+        cell.title = names.name(k);
+        cell.note = names.difference(k);
+        cell.colour = static_cast<int>(k);
+    }
+    if (lane.failure) cell.stopped = "Stopped at " + *lane.failure;
+    if (cell.field == nullptr) return cell;
+    cell.solids = lane.solids;
+    cell.arrows = arrows ? &lane.velocity : nullptr;
+    return cell;
+}
+
+/// Points: one field is large, many are small, and a contact sheet's the smallest.
+float usual_width(std::size_t rows, std::size_t lanes) {
+    if (rows > 1) return 300;
+    return lanes == 1 ? 900.0f : lanes == 2 ? 620.0f : 460.0f;
+}
+
+}  // namespace
+
+SheetRequest sheet_of(std::span<const SessionSnapshot> rows, PictureStyle style,
+                      std::deque<LaneFields>& fields) {
+    SheetRequest sheet;
+    std::size_t across = 0;
+    Range span{};
+    for (const SessionSnapshot& s : rows) {
+        LaneFields& row_fields = fields.emplace_back();
+        row_fields.update(s, *style.view, style.difference);
+        const Range one = row_fields.span();
+        span = &s == &rows.front() ? one : Range{std::min(span.lo, one.lo), std::max(span.hi, one.hi)};
+        LaneNames names;
+        names.update(s.setup);
+        SheetRow& row = sheet.rows.emplace_back();
+        row.label = moment(s);
+        for (std::size_t k = 0; k < s.lanes.size(); ++k) {
+            if (style.alone.value_or(k) == k)
+                row.cells.push_back(cell_of(s, k, names, row_fields, style.arrows));
+        }
+        across = std::max(across, row.cells.size());
+        if (style.difference) sheet.label = "  less that of " + names.name(row_fields.reference());
+    }
+    if (rows.size() == 1) sheet.rows = arranged(std::move(sheet.rows.front().cells));
+    const View& coloured = style.difference ? app::view("difference") : *style.view;
+    sheet.map = style.map != nullptr ? style.map : find_colour_map(coloured.map);
+    sheet.lo = style.range.value_or(span).lo;
+    sheet.hi = style.range.value_or(span).hi;
+    sheet.title = rows.front().setup.scene.title;
+    sheet.label = bar_label(*style.view) + sheet.label;
+    sheet.caption = caption_of(rows);
+    sheet.crisp = style.crisp;
+    sheet.light = style.light;
+    sheet.scale = style.scale;
+    sheet.cell_width = style.cell_width > 0 ? style.cell_width : usual_width(rows.size(), across);
+    sheet.plots = std::move(style.plots);
+    return sheet;
+}
+
+}  // namespace whorl::app

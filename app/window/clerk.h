@@ -1,0 +1,57 @@
+// Serves what is asked of files: pictures, runs, tables, animations, and runs to open.
+#pragma once
+
+#include <future>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/panels/panel.h"
+#include "app/render/picture.h"
+#include "app/window/chores.h"
+#include "app/window/film_maker.h"
+#include "app/window/replay_check.h"
+
+namespace whorl::app {
+
+/// Draws on the window's thread, between two frames; reads and writes on others, so that no frame waits for a
+/// disk. What fails is a notice.
+class Clerk {
+  public:
+    /// The window was opened with a run.
+    void opened(const Recording& recording, const std::string& name) { check_.expect(recording, name, 0); }
+    /// Serves the desk; call once a frame, after the window is drawn.
+    /// @param now  seconds of the window's clock
+    void end_frame(PanelContext& context, double now);
+
+  private:
+    /// What the next saved moment is for.
+    struct Wishes {
+        bool picture = false;
+        bool run = false;
+        std::optional<FilmOptions> film;
+    };
+    struct Opened {
+        std::string name;
+        Recording recording;
+    };
+
+    void take_wishes(PanelContext& context);
+    void serve(PanelContext& context, Saved saved, double now);
+    void take_picture(PanelContext& context, Saved& saved);
+    void save_run(Recording recording);
+    void save_plots(PanelContext& context);
+    void open(PanelContext& context);
+    void follow_film(PanelContext& context, double now);
+    void check_replay(PanelContext& context);
+
+    Wishes wishes_;
+    bool saving_ = false;
+    std::unique_ptr<PictureRenderer> renderer_;  ///< made for the first picture
+    Chores chores_;
+    FilmMaker film_;
+    std::future<Opened> opening_;
+    ReplayCheck check_;
+};
+
+}  // namespace whorl::app

@@ -1,0 +1,266 @@
+#include "core/inspect/base_step.h"
+
+#include <cstdio>
+#include <limits>
+
+#include "core/inspect/interpolation_sum.h"
+
+namespace whorl {
+namespace {
+
+double number(Real value) {
+    return static_cast<double>(value);
+}
+
+Kernels kernels_of(SchemeSet schemes, bool periodic, bool clamped, Limiters::Id limiter) {
+    schemes.clamped = clamped;
+    schemes.limiter = limiter;
+    return choose_kernels(schemes, periodic);
+}
+
+/// "(−0.25, 0.5)", in cells.
+std::string offset_name(Vec2 offset) {
+    char text[64];
+    std::snprintf(text, sizeof text, "(%+.3g, %+.3g)", number(offset.x), number(offset.y));
+    return text;
+}
+
+/// Whether clamping an interpolation is more than its own nature.
+bool clamps(const SchemeSet& schemes) {
+    return schemes.clamped &&
+           Interpolations::dispatch(schemes.interpolation,
+                                    []<class I>(std::type_identity<I>) { return I::support > 2; });
+}
+
+}  // namespace
+
+NodeStepper::NodeStepper(const SchemeSet& schemes, const LastAdvection& last)
+    : schemes_(schemes),
+      last_(last),
+      kernels_(choose_kernels(schemes, last.boundary->periodic())),
+      unclamped_(kernels_of(schemes, last.boundary->periodic(), false, schemes.limiter).sample),
+      clamp_(kernels_of(schemes, last.boundary->periodic(), false, Limiters::of<ClampLimiter>()).limit),
+      stencil_(schemes.stencil, schemes.zeta, schemes.weights, last.boundary->grid().dimensions(),
+               last.setup.seed),
+      lattice_(schemes.affine() ? Lattice::of(stencil_.particles()) : std::nullopt),
+      dt_(static_cast<Real>(last.setup.dt / last.boundary->grid().h)) {}
+
+NodeStep NodeStepper::step(const Stepping& from, int i, int j, Real direction) const {
+    const Field& q = *from.field;
+    const auto& point = lattice_ ? lattice_->node(q.site()) : std::nullopt;
+    const Departing node =
+        point ? departing(*point, i, j, direction) : departing(q.site(), i, j, Vec2(0, 0), direction);
+    const Places at = located(q, node);
+    NodeStep out;
+    out.cell = at.at[0];
+    draw(from, node, at, out.drawn);
+    if (schemes_.affine()) {
+        gather(from, i, j, node, direction, at, out);
+    } else {
+        interpolate(from, at, out);
+    }
+    return out;
+}
+
+Departing NodeStepper::departing(Site site, int i, int j, Vec2 start, Real direction) const {
+    return {last_.velocity, last_.boundary, site, i, j, start, direction * dt_};
+}
+
+Departing NodeStepper::departing(const Lattice::Point& point, int i, int j, Real direction) const {
+    const Lattice::Origin origin = lattice_->origin(point);
+    return departing(Site::Centre, i + origin.i, j + origin.j, origin.start, direction);
+}
+
+Displacements NodeStepper::displaced(const Departing& from) const {
+    Displacements d{};
+    kernels_.trace({from.velocity, from.site}, {from.i, from.j, 1}, from.start, from.dt, d.x, d.y);
+    return d;
+}
+
+Places NodeStepper::located(const Field& q, const Departing& from) const {
+    const Displacements d = displaced(from);
+    Places places{};
+    kernels_.locate(q, from.site, {from.i, from.j, 1}, d.x, d.y, places);
+    return places;
+}
+
+void NodeStepper::draw(const Stepping& from, const Departing& node, const Places& at, BaseStep& out) const {
+    const Field& q = *from.field;
+    const Grid& grid = last_.boundary->grid();
+    out.path = path_of(schemes_.tracer, node);
+    out.euler = path_of(Tracers::of<Euler>(), node);
+    out.midpoint = path_of(Tracers::of<Midpoint>(), node);
+    out.fine = fine_path(node);
+    out.i = at.i[0];
+    out.j = at.j[0];
+    out.x = number(at.x[0]);
+    out.y = number(at.y[0]);
+    const WorldPoint corner = world(q, grid, out.i, out.j);
+    out.read = {corner.x + out.x * grid.h, corner.y + out.y * grid.h};
+    for (int k = 0; k < 4; ++k) {
+        const int i = out.i + k % 2, j = out.j + k / 2;
+        out.enclosing[static_cast<std::size_t>(k)] = {i, j, world(q, grid, i, j), number(q(i, j)),
+                                                      std::nullopt};
+    }
+}
+
+void NodeStepper::interpolate(const Stepping& from, const Places& at, NodeStep& out) const {
+    const Field& q = *from.field;
+    Values value{};
+    unclamped_(q, at, 1, value);
+    const Real unclamped = value[0];
+    kernels_.sample(q, at, 1, value);
+    out.value = value[0];
+    out.sum = interpolation_sum(q, from.symbol, *last_.boundary, schemes_,
+                                {at.i[0], at.j[0], at.x[0], at.y[0]}, unclamped, out.drawn.nodes);
+    out.sum.title = from.symbol + " at the departure point";
+    if (!clamps(schemes_)) return;
+    out.sum.cut = cut(q, out.cell, unclamped, out.value);
+    out.sum.cut->by = "clamped interpolation";
+    out.sum.cut->equation = "thesis eq. 3.8";
+}
+
+void NodeStepper::gather(const Stepping& from, int i, int j, const Departing& node, Real direction,
+                         const Places& at, NodeStep& out) const {
+    using Row = std::array<Real, Carried::rows * Run::size>;
+    const Field& q = *from.field;
+    const std::array<const Field*, 1> fields{&q};
+    const auto carry = [&](const Departing& particle) {
+        Row row{};
+        const Displacements d = displaced(particle);
+        kernels_.carry(fields, particle.site, {particle.i, particle.j, 1}, d.x, d.y, {row.data(), Run::size});
+        return row;
+    };
+    const bool on_lattice = lattice_ && lattice_->node(q.site());
+    Values first_order{};
+    if (on_lattice) {
+        first_order[0] = carry(node)[0];
+    } else {
+        kernels_.sample_linear(q, at, 1, first_order);
+    }
+    out.first_order = first_order[0];
+
+    std::vector<Departing> starts;
+    std::vector<const Particle*> particles;
+    if (lattice_) {
+        for (const Lattice::Point& point : lattice_->particles(q.site())) {
+            starts.push_back(departing(point, i, j, direction));
+            particles.push_back(&point.particle);
+        }
+    } else {
+        for (const Particle& particle : stencil_.particles()) {
+            if (particle.offset == Vec2(0, 0)) continue;
+            starts.push_back(departing(q.site(), i, j, particle.offset, direction));
+            particles.push_back(&particle);
+        }
+    }
+    std::vector<Row> rows;
+    for (const Departing& start : starts) rows.push_back(carry(start));
+    std::vector<Share> shares;
+    for (std::size_t k = 0; k < rows.size(); ++k) shares.push_back({rows[k].data(), particles[k]});
+    Values sum{};
+    kernels_.gather(shares, Run::size, 1, first_order, sum);
+    out.value = first_order[0] + sum[0];
+
+    out.sum.title = from.symbol + " from " + std::to_string(stencil_.particles().size()) + " particles";
+    out.sum.equation = thesis_part(schemes_.predictor_corrector() ? schemes_.base.info().source
+                                                                  : schemes_.advector.info().source);
+    out.sum.total = number(out.value);
+    out.drawn.weight_sum = stencil_.weight_sum();
+    const auto add = [&](const Particle& particle, const StencilParticle& found, Sum part) {
+        out.sum.terms.push_back({"x_s " + offset_name(particle.offset), found.weight, found.at_node});
+        out.sum.parts.push_back(std::move(part));
+        out.drawn.particles.push_back(found);
+    };
+    // Sums of differences need the node's own particle only as what they differ from.
+    Sum own = interpolation_sum(q, from.symbol, *last_.boundary, schemes_,
+                                {at.i[0], at.j[0], at.x[0], at.y[0]}, out.first_order, out.drawn.nodes);
+    own.title = from.symbol + " at the departure point, to first order";
+    for (const Particle& particle : stencil_.particles()) {
+        if (particle.offset != Vec2(0, 0)) continue;
+        StencilParticle found{.path = out.drawn.path,
+                              .weight = number(particle.weight),
+                              .value = number(out.first_order),
+                              .at_node = number(out.first_order),
+                              .contribution = number(particle.weight * out.first_order)};
+        add(particle, found, std::move(own));
+    }
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        const Row& row = rows[k];
+        const Particle alone{particles[k]->offset, 1};
+        const Values nothing{};
+        Values carried{}, contribution{};
+        const Share whole{row.data(), &alone};
+        kernels_.gather({&whole, 1}, Run::size, 1, nothing, carried);
+        kernels_.gather({&shares[k], 1}, Run::size, 1, nothing, contribution);
+        const StencilParticle found{.path = path_of(schemes_.tracer, starts[k]),
+                                    .weight = number(particles[k]->weight),
+                                    .value = number(row[0]),
+                                    .gradient_x = number(row[Run::size]),
+                                    .gradient_y = number(row[2 * Run::size]),
+                                    .cross = number(row[3 * Run::size]),
+                                    .at_node = number(carried[0]),
+                                    .contribution = number(contribution[0])};
+        add(*particles[k], found, particle_sum(*particles[k], found));
+    }
+}
+
+Sum NodeStepper::particle_sum(const Particle& particle, const StencilParticle& found) const {
+    const double to_x = -number(particle.offset.x), to_y = -number(particle.offset.y);
+    Sum sum;
+    sum.title = "x_s " + offset_name(particle.offset);
+    sum.equation = "thesis eq. 4.2–4.3";
+    sum.terms.push_back({"q_s", 1, found.value});
+    if (schemes_.expansion() != Expansion::Value) {
+        sum.terms.push_back({"∂q/∂x", to_x, found.gradient_x});
+        sum.terms.push_back({"∂q/∂y", to_y, found.gradient_y});
+    }
+    if (schemes_.expansion() == Expansion::CrossTerm) {
+        sum.equation = "thesis eq. 4.2–4.3, sec. 6.1";
+        sum.terms.push_back({"c_xy", to_x * to_y, found.cross});
+    }
+    sum.total = found.at_node;
+    return sum;
+}
+
+Real NodeStepper::limited(LimitFn by, const Field& q, Index cell, Real first_order, Real value) const {
+    Places at{};
+    at.at[0] = cell;
+    Values first{}, values{};
+    first[0] = first_order;
+    values[0] = value;
+    by(q, at.at, 1, first, values);
+    return values[0];
+}
+
+Cut NodeStepper::cut(const Field& q, Index cell, Real before, Real after) const {
+    // What is beyond all numbers is clamped to the bounds.
+    constexpr Real most = std::numeric_limits<Real>::max();
+    Cut cut;
+    cut.low = number(limited(clamp_, q, cell, 0, -most));
+    cut.high = number(limited(clamp_, q, cell, 0, most));
+    cut.before = number(before);
+    cut.after = number(after);
+    return cut;
+}
+
+void NodeStepper::limit_base(const Field& q, NodeStep& step) const {
+    if (kernels_.limit_base == nullptr) return;
+    const Real before = step.value;
+    step.value = limited(kernels_.limit_base, q, step.cell, step.first_order, before);
+    step.sum.cut = cut(q, step.cell, before, step.value);
+    step.sum.cut->by = std::string(schemes_.base.info().label);
+    step.sum.cut->equation = thesis_part(schemes_.base.info().source);
+}
+
+void NodeStepper::limit(const Field& q, Index cell, Real first_order, Sum& sum, Real& value) const {
+    if (schemes_.limiter == Limiters::of<NoLimiter>()) return;
+    const Real before = value;
+    value = limited(kernels_.limit, q, cell, first_order, before);
+    sum.cut = cut(q, cell, before, value);
+    sum.cut->by = "limiter: " + std::string(schemes_.limiter.info().label);
+    sum.cut->equation = thesis_part(schemes_.limiter.info().source);
+    if (schemes_.limiter == Limiters::of<RevertLimiter>()) sum.cut->first_order = number(first_order);
+}
+
+}  // namespace whorl

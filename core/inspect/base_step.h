@@ -1,0 +1,64 @@
+// One step of a base scheme at one node, taken by the solver's own kernels and written out.
+#pragma once
+
+#include <optional>
+
+#include "core/advection/advect.h"
+#include "core/inspect/paths.h"
+
+namespace whorl {
+
+/// A field that is stepped, and what it is called.
+struct Stepping {
+    const Field* field;
+    std::string symbol;
+};
+
+/// What came of a step at a node.
+struct NodeStep {
+    BaseStep drawn;
+    Sum sum;
+    Index cell = 0;        ///< that holds the node's departure point, as Places::at
+    Real first_order = 0;  ///< with particles: the linear semi-Lagrangian value
+    Real value = 0;
+};
+
+/// Takes steps A at single nodes with the kernels, stencil and lattice that a Mover has for a set of schemes.
+class NodeStepper {
+  public:
+    /// @param last what it refers to must outlive this
+    NodeStepper(const SchemeSet& schemes, const LastAdvection& last);
+
+    /// One step, unlimited but for clamped interpolation.
+    /// @param direction −1 traces forward
+    NodeStep step(const Stepping& from, int i, int j, Real direction) const;
+    /// Limits a step as a predictor-corrector limits its base steps.
+    void limit_base(const Field& q, NodeStep& step) const;
+    /// Limits a value as the whole scheme does, if it does.
+    /// @param cell, first_order of the forward step
+    void limit(const Field& q, Index cell, Real first_order, Sum& sum, Real& value) const;
+
+  private:
+    Departing departing(Site site, int i, int j, Vec2 start, Real direction) const;
+    Departing departing(const Lattice::Point& point, int i, int j, Real direction) const;
+    Displacements displaced(const Departing& from) const;
+    Places located(const Field& q, const Departing& from) const;
+    void draw(const Stepping& from, const Departing& node, const Places& at, BaseStep& out) const;
+    void interpolate(const Stepping& from, const Places& at, NodeStep& out) const;
+    void gather(const Stepping& from, int i, int j, const Departing& node, Real direction, const Places& at,
+                NodeStep& out) const;
+    Sum particle_sum(const Particle& particle, const StencilParticle& found) const;
+    Real limited(LimitFn by, const Field& q, Index cell, Real first_order, Real value) const;
+    Cut cut(const Field& q, Index cell, Real before, Real after) const;
+
+    SchemeSet schemes_;
+    const LastAdvection& last_;
+    Kernels kernels_;
+    SampleFn unclamped_;
+    LimitFn clamp_;
+    Stencil stencil_;
+    std::optional<Lattice> lattice_;
+    Real dt_;
+};
+
+}  // namespace whorl

@@ -1,0 +1,15 @@
+// "What happened in this cell?": how the last step made one node's value.
+#pragma once
+
+#include "core/inspect/explanation.h"
+#include "core/parallel/pool.h"
+
+namespace whorl {
+
+/// Asks the solver's own kernels at one node. For predictor-correctors it takes their base steps of the whole
+/// field once more, on the pool. The calling thread then treats denormal numbers as 0, as those that step do.
+/// @param i, j of the quantity's field, from 0
+/// @throws InputError if the quantity is not moved or has no such node
+Explanation explain(const LastAdvection& last, Quantity quantity, int i, int j, Pool& pool);
+
+}  // namespace whorl

@@ -1,0 +1,206 @@
+#include "core/inspect/interpolation_sum.h"
+
+#include <algorithm>
+
+namespace whorl {
+namespace {
+
+/// Samples i − 1 … i + 2, for schemes that read two of them too.
+using Samples = std::array<Real, 4>;
+using Names = std::array<std::string, 4>;
+
+/// One axis at a place.
+struct Along {
+    Real t;
+    Interval in;
+};
+
+template <class I>
+Real value(const Samples& q, const Along& a) {
+    if constexpr (I::support == 2) {
+        return I::at(q[1], q[2], a.t);
+    } else {
+        return I::at(q[0], q[1], q[2], q[3], a.t, a.in);
+    }
+}
+
+/// The scheme's weights: what it makes of samples that are 1 and 0.
+template <class I>
+Samples weights(const Along& a) {
+    Samples w{};
+    for (std::size_t k = 0; k < w.size(); ++k) {
+        Samples unit{};
+        unit[k] = 1;
+        w[k] = value<I>(unit, a);
+    }
+    return w;
+}
+
+/// A general equation of the thesis, and a scheme's own: "thesis eq. 3.12, sec. A.1".
+std::string equations(std::string_view general, std::string_view source) {
+    std::string own = thesis_part(source);
+    for (const std::string_view common : {"thesis ", "eq. "}) {
+        if (own.starts_with(common)) own.erase(0, common.size());
+    }
+    return "thesis eq. " + std::string(general) + ", " + own;
+}
+
+template <class I>
+concept has_slopes = requires(Slopes<Real> d) {
+    I::limited(d);
+};
+
+/// One cubic as a sum over its end values and limited slopes.
+template <class I>
+Sum cubic_sum(std::string title, const Names& names, const Samples& q, const Along& a) {
+    const Slopes<Real> d(q[0], q[1], q[2], q[3]);
+    const Slopes<Real> limited = I::limited(d);
+    const auto term = [](std::string label, Real weight, Real factor) {
+        return Term{std::move(label), static_cast<double>(weight), static_cast<double>(factor)};
+    };
+    Sum sum;
+    sum.title = std::move(title);
+    sum.equation = equations("3.12", I::info.source);
+    // A cubic is linear in what it is given: its weights are what it makes of 1 and 0.
+    sum.terms = {term(names[1], hermite<Real>(1, -1, 0, 0, a.t), q[1]),
+                 term(names[2], hermite<Real>(0, 1, 0, 0, a.t), q[2]),
+                 term("δ_i", hermite<Real>(0, 0, 1, 0, a.t), limited.left),
+                 term("δ_i+1", hermite<Real>(0, 0, 0, 1, a.t), limited.right)};
+    sum.total = static_cast<double>(value<I>(q, a));
+    sum.slopes =
+        CubicSlopes{static_cast<double>(d.D), static_cast<double>(d.left), static_cast<double>(d.right),
+                    static_cast<double>(limited.left), static_cast<double>(limited.right)};
+    return sum;
+}
+
+/// The 4 × 4 samples around a place, and how the scheme goes through them.
+template <class I>
+class Patch {
+  public:
+    Patch(const Field& q, std::string_view symbol, const Boundary& boundary, const Place& at, bool x_first)
+        : q_(q), symbol_(symbol), boundary_(boundary), at_(at), x_first_(x_first || q.height() == 1) {
+        along_x_ = {at.x, {at.i, q.width() - 1, boundary.periodic()}};
+        along_y_ = {at.y, {at.j, q.height() - 1, boundary.periodic()}};
+    }
+
+    /// The nodes that are read, with their weights where they have some. A single row is read along x alone.
+    std::vector<KernelNode> nodes() const {
+        const Samples wx = weights<I>(along_x_), wy = weights<I>(along_y_);
+        std::vector<KernelNode> nodes;
+        for (std::size_t b = first; b < last; ++b) {
+            if (single_row() && row(b) != 0) continue;
+            for (std::size_t a = first; a < last; ++a) {
+                const int i = column(a), j = row(b);
+                const double weight =
+                    static_cast<double>(wx[a]) * (single_row() ? 1 : static_cast<double>(wy[b]));
+                nodes.push_back({i, j, world(q_, boundary_.grid(), i, j), static_cast<double>(q_(i, j)),
+                                 I::weighted_sum ? std::optional(weight) : std::nullopt});
+            }
+        }
+        return nodes;
+    }
+
+    Sum weighted(const std::vector<KernelNode>& nodes) const {
+        Sum sum;
+        sum.equation = equations("3.6–3.7", I::info.source);
+        for (const KernelNode& node : nodes)
+            sum.terms.push_back({name(node.i, node.j), *node.weight, node.value});
+        return sum;
+    }
+
+    /// Along the second axis through the values of cubics along the first.
+    Sum cubics() const requires has_slopes<I> {
+        if (single_row()) return first_axis(1 - at_.j);
+        std::vector<Sum> parts;
+        Names names;
+        Samples values{};
+        for (std::size_t k = 0; k < values.size(); ++k) {
+            parts.push_back(first_axis(static_cast<int>(k)));
+            names[k] = std::string(symbol_) + (x_first_ ? " in row " : " in column ") +
+                       std::to_string(x_first_ ? row(k) : column(k));
+            values[k] = pass(static_cast<int>(k));
+        }
+        Sum sum = cubic_sum<I>(x_first_ ? "along y" : "along x", names, values, second());
+        sum.parts = std::move(parts);
+        return sum;
+    }
+
+  private:
+    static constexpr std::size_t first = I::support == 2 ? 1 : 0, last = I::support == 2 ? 3 : 4;
+
+    bool single_row() const { return q_.height() == 1; }
+    int column(std::size_t a) const { return at_.i - 1 + static_cast<int>(a); }
+    int row(std::size_t b) const { return at_.j - 1 + static_cast<int>(b); }
+    std::string name(int i, int j) const { return node_name(symbol_, q_, boundary_, i, j); }
+    const Along& second() const { return x_first_ ? along_y_ : along_x_; }
+
+    /// The samples of row or column k along the first axis.
+    Samples line(int k) const {
+        Samples q{};
+        for (std::size_t a = first; a < last; ++a) {
+            q[a] = x_first_ ? q_(column(a), row(static_cast<std::size_t>(k)))
+                            : q_(column(static_cast<std::size_t>(k)), row(a));
+        }
+        return q;
+    }
+    Real pass(int k) const { return value<I>(line(k), x_first_ ? along_x_ : along_y_); }
+    Sum first_axis(int k) const requires has_slopes<I> {
+        Names names;
+        for (std::size_t a = 0; a < names.size(); ++a) {
+            names[a] = x_first_ ? name(column(a), row(static_cast<std::size_t>(k)))
+                                : name(column(static_cast<std::size_t>(k)), row(a));
+        }
+        const std::string title =
+            x_first_ ? "along x in row " + std::to_string(row(static_cast<std::size_t>(k)))
+                     : "along y in column " + std::to_string(column(static_cast<std::size_t>(k)));
+        return cubic_sum<I>(title, names, line(k), x_first_ ? along_x_ : along_y_);
+    }
+
+    const Field& q_;
+    std::string_view symbol_;
+    const Boundary& boundary_;
+    const Place& at_;
+    bool x_first_;
+    Along along_x_, along_y_;
+};
+
+}  // namespace
+
+std::string thesis_part(std::string_view source) {
+    const auto at = source.find("thesis");
+    return std::string(at == std::string_view::npos ? source : source.substr(at));
+}
+
+std::string node_name(std::string_view symbol, const Field& q, const Boundary& boundary, int i, int j) {
+    const bool outside = i < 0 || j < 0 || i >= q.width() || j >= q.height();
+    const auto wrap = [](int k, int n) { return (k % n + n) % n; };
+    if (boundary.periodic()) {
+        i = wrap(i, q.width());
+        j = wrap(j, q.height());
+    }
+    const std::string name = std::string(symbol) + "(" + std::to_string(i) + ", " + std::to_string(j) + ")";
+    return outside && !boundary.periodic() ? name + " behind the wall" : name;
+}
+
+Sum interpolation_sum(const Field& q, std::string_view symbol, const Boundary& boundary,
+                      const SchemeSet& schemes, const Place& at, Real value, std::vector<KernelNode>& nodes) {
+    const bool x_first = schemes.axis_order == AxisOrders::of<XFirst>();
+    Sum whole = Interpolations::dispatch(schemes.interpolation, [&]<class I>(std::type_identity<I>) {
+        const Patch<I> patch(q, symbol, boundary, at, x_first);
+        nodes = patch.nodes();
+        if constexpr (!has_slopes<I>) {
+            static_assert(I::weighted_sum, "what is no weighted sum has slopes to tell");
+            return patch.weighted(nodes);
+        } else if constexpr (I::weighted_sum) {
+            Sum sum = patch.weighted(nodes);
+            sum.parts.push_back(patch.cubics());
+            return sum;
+        } else {
+            return patch.cubics();
+        }
+    });
+    whole.total = static_cast<double>(value);
+    return whole;
+}
+
+}  // namespace whorl
