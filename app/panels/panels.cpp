@@ -10,6 +10,7 @@ std::span<const Panel> panels() {
         {"View", draw_view_panel},         {"Forces", draw_forces_panel},
         {"Brush", draw_brush_panel},       {"Time", draw_time_panel},
         {"Pressure", draw_pressure_panel}, {"Domain", draw_domain_panel},
+        {"Labs", draw_labs_panel},
     };
     return table;
 }

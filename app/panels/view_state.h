@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 
+#include "app/labs/lab_state.h"
 #include "app/panels/colour_range.h"
 #include "app/render/colour_map.h"
 #include "app/render/view_window.h"
@@ -40,6 +41,7 @@ struct ViewState {
     bool help = false;                             ///< the keys are shown
     ColourRange range;
     Renaming renaming;
+    LabState labs;
     std::optional<double> marker;  ///< x of the plot sample under the pointer, a hairline in the others
 
     /// The colours of a view, or of differences in it, which all have the same.

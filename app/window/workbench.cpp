@@ -6,6 +6,7 @@
 
 #include <future>
 
+#include "app/labs/labs.h"
 #include "app/panels/control_column.h"
 #include "app/panels/help_overlay.h"
 #include "app/panels/measure_column.h"
@@ -176,6 +177,7 @@ void Workbench::draw() {
     begin_panel("measures", layout, layout.measures, theme, slabs_);
     draw_measure_column(context);
     ImGui::End();
+    draw_labs(context);
     draw_help_overlay(context);
     help_.end_frame();
     const ImVec2 mouse = ImGui::GetIO().MousePos;
