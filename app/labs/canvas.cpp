@@ -88,6 +88,11 @@ void Canvas::dot(double x, double y, float radius, ImU32 colour) const {
     end();
 }
 
+void Canvas::mark(double x, double y, float radius, ImU32 colour) const {
+    begin().AddCircleFilled(pixel(x, y), radius, colour);
+    end();
+}
+
 void Canvas::ring(double x, double y, float radius, ImU32 colour) const {
     begin();
     list_.AddCircle(pixel(x, y), radius, colour, 0, theme_.px(1.5f));
@@ -135,6 +140,12 @@ Interval Extent::fitted() const {
     std::array<std::vector<CurvePoint>, 1> ends;
     if (least_ <= most_) ends[0] = {{0, least_}, {1, most_}};
     return fit_y(ends, false);
+}
+
+Interval Extent::tight() const {
+    if (!(most_ > least_)) return fitted();
+    const double air = 0.08 * static_cast<double>(most_ - least_);
+    return {static_cast<double>(least_) - air, static_cast<double>(most_) + air};
 }
 
 }  // namespace whorl::app

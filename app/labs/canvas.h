@@ -40,6 +40,8 @@ class Canvas {
     void curve(std::span<const float> x, std::span<const float> y, ImU32 colour, float thickness) const;
     /// A dot of a radius in pixels, over a rim of the card's colour.
     void dot(double x, double y, float radius, ImU32 colour) const;
+    /// A dot without a rim, where many lie side by side.
+    void mark(double x, double y, float radius, ImU32 colour) const;
     void ring(double x, double y, float radius, ImU32 colour) const;
     /// The frame's height between two values of x.
     void band(double x_first, double x_last, ImU32 colour) const;
@@ -65,7 +67,10 @@ class Canvas {
 class Extent {
   public:
     void add(std::span<const float> values);
+    /// With 0 where the values come near it.
     Interval fitted() const;
+    /// The values alone.
+    Interval tight() const;
 
   private:
     float least_ = FLT_MAX, most_ = -FLT_MAX;

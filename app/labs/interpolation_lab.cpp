@@ -170,7 +170,7 @@ void inset(PanelContext& context, const InterpolationLab& lab, const Field& row,
                           lab.values[static_cast<std::size_t>(lab.interval) + 1]};
     Extent extent = extent_of(lab, curves);
     extent.add(ends);
-    const Canvas canvas(theme, plot, {}, {lab.interval - 0.02, lab.interval + 1.02}, extent.fitted());
+    const Canvas canvas(theme, plot, {}, {lab.interval - 0.02, lab.interval + 1.02}, extent.tight());
     context.trace.control("interpolation-inset");
     if (!canvas) return;
     context.help.item(theme, "interpolation-inset",
@@ -320,15 +320,7 @@ void table_row(PanelContext& context, InterpolationLab& lab, std::size_t k, cons
     if (hovered)
         list.AddRectFilled(at, {at.x + columns.end, at.y + height}, theme.palette.frame, theme.px(3));
     const float middle = std::floor(at.y + 0.5f * height);
-    const float half = theme.px(5);
-    const ImVec2 low{at.x + theme.px(4), middle - half};
-    const ImVec2 high{low.x + 2 * half, middle + half};
-    const ImU32 colour = interpolation_colour(theme, k);
-    if (lab.shown[k]) {
-        list.AddRectFilled(low, high, colour, theme.px(2));
-    } else {
-        list.AddRect(low, high, faded(colour, 0.7f), theme.px(2), 0, theme.thin());
-    }
+    swatch(theme, {at.x + theme.px(9), middle}, interpolation_colour(theme, k), lab.shown[k]);
     const float strength = lab.shown[k] ? 1.0f : 0.5f;
     const float text_y = middle - 0.5f * theme.body->FontSize;
     const float small_y = middle - 0.5f * theme.small->FontSize;

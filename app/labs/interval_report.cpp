@@ -78,7 +78,8 @@ IntervalReport report_on(const Field& row, Interpolations::Id interpolation, boo
         std::minmax({static_cast<double>(row(i, 0)), static_cast<double>(row(i + 1, 0))});
     const double sign = secant < 0 ? -1 : 1;
     double furthest = -std::numeric_limits<double>::infinity();
-    for (const float sample : curve) {
+    // At its right end a clamped curve is the next interval's, which has another range.
+    for (const float sample : std::span(curve).first<samples - 1>()) {
         const auto q = static_cast<double>(sample);
         report.below = std::max(report.below, low - q);
         report.above = std::max(report.above, q - high);

@@ -52,7 +52,7 @@ struct SliceLab {
     bool compares_interpolations = false;  ///< of the selected lane, instead of the lanes
     ShownInterpolations shown = all_interpolations();
     bool clamped = false;
-    SliceDomains domains;
+    FilledFields fields;
 };
 
 struct LabState {

@@ -17,6 +17,13 @@ ImU32 interpolation_colour(const Theme& theme, std::size_t k);
 bool lab_chip(PanelContext& context, const std::string& key, const HelpText& help, bool chosen, float width,
               bool first);
 
+/// A square that is filled where what it stands for is shown.
+void swatch(const Theme& theme, ImVec2 middle, ImU32 colour, bool filled);
+
+/// A swatch with a scheme's name, which shows the scheme or leaves it out. @return whether it was clicked
+bool legend_toggle(PanelContext& context, const std::string& key, const SchemeInfo& info, ImU32 colour,
+                   bool shown, float width);
+
 /// The width of each of `count` chips that fill the line.
 float chip_width(int count);
 

@@ -53,15 +53,17 @@ SliceCurve curve_along(const Field& field, const Snapshot& lane, const SliceLine
     return curve;
 }
 
-const Field& SliceDomains::filled(std::size_t lane, const Snapshot& snapshot, const Field& field) {
-    if (domains_.size() <= lane) domains_.resize(lane + 1);
-    Boundary& domain = domains_[lane];
+const Field& FilledFields::of(std::size_t lane, const Snapshot& snapshot, const Field& field, long version) {
+    if (lanes_.size() <= lane) lanes_.resize(lane + 1);
+    auto& [domain, filled, filled_version] = lanes_[lane];
+    if (filled_version == version) return filled;
+    filled_version = version;
     if (!(domain.grid() == snapshot.grid) || domain.periodic() != snapshot.periodic)
         domain = Boundary(snapshot.grid, snapshot.periodic ? Sides::of<Periodic>() : Sides::of<Box>());
     if (domain.solids() != snapshot.solids) domain.set_solids(snapshot.solids);
-    field_ = field;
-    domain.fill(field_);
-    return field_;
+    filled = field;
+    domain.fill(filled);
+    return filled;
 }
 
 }  // namespace whorl::app

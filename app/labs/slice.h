@@ -38,15 +38,20 @@ SliceCurve cells_along(const Field& field, const Snapshot& lane, const SliceLine
 SliceCurve curve_along(const Field& field, const Snapshot& lane, const SliceLine& line,
                        const SchemeSet& schemes, int per_cell);
 
-/// The lanes' domains, kept to fill the ghosts of fields that snapshots hold without.
-class SliceDomains {
+/// The lanes' fields with their ghosts, which snapshots hold without.
+class FilledFields {
   public:
-    /// A copy of a lane's field with its ghosts filled. Valid until the next call.
-    const Field& filled(std::size_t lane, const Snapshot& snapshot, const Field& field);
+    /// A lane's field with its ghosts filled. Valid until the next call for this lane.
+    /// @param version  of the field: nothing is done where it is that of the last call
+    const Field& of(std::size_t lane, const Snapshot& snapshot, const Field& field, long version);
 
   private:
-    std::vector<Boundary> domains_;
-    Field field_;
+    struct Filled {
+        Boundary domain;
+        Field field;
+        long version = -1;
+    };
+    std::vector<Filled> lanes_;
 };
 
 }  // namespace whorl::app

@@ -17,8 +17,9 @@ namespace {
 struct Drawn {
     std::string_view label;
     ImU32 colour;
-    SliceCurve curve;
-    SliceCurve cells;  ///< none where another curve has the same
+    SliceCurve curve{};
+    SliceCurve cells{};  ///< none where another curve has the same
+    bool exact = false;
 };
 
 /// Enough samples to look smooth, and no more than a screen shows.
@@ -29,7 +30,7 @@ int samples_per_cell(int cells) {
 Drawn drawn(const PanelContext& context, SliceLab& lab, std::size_t lane, const SchemeSet& schemes) {
     const Snapshot& snapshot = context.remote.session().lanes[lane];
     const Field& field = *context.fields.of(lane);
-    const Field& filled = lab.domains.filled(lane, snapshot, field);
+    const Field& filled = lab.fields.of(lane, snapshot, field, context.fields.version());
     Drawn made;
     made.curve =
         curve_along(filled, snapshot, lab.line, schemes, samples_per_cell(lab.line.count(snapshot.grid)));
@@ -114,8 +115,9 @@ void interpolation_controls(PanelContext& context, SliceLab& lab) {
     const float width = chip_width(columns);
     for (std::size_t k = 0; k < lab.shown.size(); ++k) {
         const SchemeInfo& info = Interpolations::infos[k];
-        if (lab_chip(context, "slice-scheme=" + std::string(info.key),
-                     {info.label, info.help, "", info.source, ""}, lab.shown[k], width, k % columns == 0))
+        if (k % columns != 0) ImGui::SameLine(0, std::floor(0.5f * ImGui::GetStyle().ItemSpacing.x));
+        if (legend_toggle(context, "slice-scheme=" + std::string(info.key), info,
+                          interpolation_colour(context.theme, k), lab.shown[k], width))
             lab.shown[k] = !lab.shown[k];
     }
     if (check("Clamped", lab.clamped)) lab.clamped = !lab.clamped;
@@ -147,7 +149,7 @@ void slice_plot(PanelContext& context, const SliceLab& lab, const std::vector<Dr
     std::vector<ValueRow> rows;
     Extent extent;
     for (const Drawn& one : all) {
-        legend.push_back({one.label, one.colour});
+        if (!lab.compares_interpolations || one.exact) legend.push_back({one.label, one.colour});
         extent.add(one.curve.y);
         extent.add(one.cells.y);
     }
@@ -160,8 +162,20 @@ void slice_plot(PanelContext& context, const SliceLab& lab, const std::vector<Dr
     const Canvas canvas(theme, plot, legend, {0, length}, extent.fitted());
     context.trace.control("slice-plot");
     if (!canvas) return;
-    for (std::size_t k = all.size(); k-- > 0;)
-        canvas.curve(all[k].curve.x, all[k].curve.y, all[k].colour, curve_thickness(theme));
+    for (std::size_t k = all.size(); k-- > 0;) {
+        if (!all[k].exact)
+            canvas.curve(all[k].curve.x, all[k].curve.y, all[k].colour, curve_thickness(theme));
+    }
+    for (const Drawn& one : all) {
+        if (!one.exact) continue;
+        std::vector<ImVec2> points;
+        for (std::size_t k = 0; k < one.curve.x.size(); ++k) {
+            if (std::isfinite(one.curve.y[k]))
+                points.push_back(
+                    canvas.pixel(static_cast<double>(one.curve.x[k]), static_cast<double>(one.curve.y[k])));
+        }
+        canvas.dashes(points, one.colour);
+    }
     for (std::size_t k = all.size(); k-- > 0;) {
         const SliceCurve& cells = all[k].cells;
         // Where they lie apart.
@@ -172,8 +186,8 @@ void slice_plot(PanelContext& context, const SliceLab& lab, const std::vector<Dr
         const ImU32 colour = lab.compares_interpolations ? theme.palette.text : all[k].colour;
         for (std::size_t c = 0; c < cells.x.size(); ++c) {
             if (std::isfinite(cells.y[c]))
-                canvas.dot(static_cast<double>(cells.x[c]), static_cast<double>(cells.y[c]), theme.px(2.5f),
-                           colour);
+                canvas.mark(static_cast<double>(cells.x[c]), static_cast<double>(cells.y[c]), theme.px(2.5f),
+                            colour);
         }
     }
     if (!canvas.hovered()) return;
@@ -198,7 +212,7 @@ void draw_slice_window(PanelContext& context) {
     const Snapshot& selected = context.snapshot();
     if (selected.has_exact && &context.fields.view() == &views().front() && !context.fields.difference())
         all.push_back(
-            {"exact", context.theme.palette.text, cells_along(selected.exact, selected, lab.line), {}});
+            {"exact", context.theme.palette.text, cells_along(selected.exact, selected, lab.line), {}, true});
     slice_plot(context, lab, all, std::max(ImGui::GetContentRegionAvail().y, context.theme.px(140)));
 }
 

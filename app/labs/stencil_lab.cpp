@@ -61,24 +61,24 @@ void controls(PanelContext& context, StencilLab::Choice& choice) {
             choice.dimensions = dimensions;
     }
     const bool jittered = choice.kind == Stencils::of<Jittered>();
-    const auto whole = [&](const char* label, const char* id, int& value, int least, int most,
+    const auto whole = [&](const char* label, const char* id, int& value, int least, int most, float wide,
                            const HelpText& help) {
         ImGui::SameLine();
         ImGui::AlignTextToFramePadding();
         text(theme.palette.text_dim, label);
         ImGui::SameLine();
-        ImGui::SetNextItemWidth(std::floor(0.7f * width));
+        ImGui::SetNextItemWidth(wide);
         slider(theme, id, value, {static_cast<double>(least), static_cast<double>(most)}, "");
         value = std::clamp(value, least, most);
         context.trace.control(id + 2);
         context.help.item(theme, id, help);
     };
-    whole("ζ", "##stencil-zeta", choice.zeta, 0, SchemeSet::max_zeta,
+    whole("ζ", "##stencil-zeta", choice.zeta, 0, SchemeSet::max_zeta, std::floor(0.8f * width),
           {"Parametric size ζ",
            "How many particles there are along each axis. 0 is the node alone: plain semi-Lagrangian.",
            "0 to 4", "thesis sec. 4.1, table 4.1", ""});
     ImGui::BeginDisabled(!jittered);
-    whole("Seed", "##stencil-seed", choice.seed, 1, 99,
+    whole("Seed", "##stencil-seed", choice.seed, 1, 99, -FLT_MIN,
           {"Seed", "Another one gives another set of jittered particles.", "1 to 99", "after thesis ch. 6",
            jittered ? "" : "Only jittered particles are drawn by lot."});
     ImGui::EndDisabled();
@@ -114,13 +114,19 @@ void draw_grid(const Theme& theme, const Canvas& canvas, int dimensions) {
 /// The neighbours' particles, as rings: where one lies around a dot, two nodes share it.
 void draw_neighbours(const Theme& theme, const Canvas& canvas, const StencilLab& lab) {
     const int across = lab.choice.dimensions == 1 ? 0 : 1;
+    const float radius = theme.px(largest_dot + 1.5f);
     for (int j = -across; j <= across; ++j) {
         for (int i = -1; i <= 1; ++i) {
             if (i == 0 && j == 0) continue;
-            for (const Particle& particle : lab.stencil->particles())
-                canvas.ring(i + static_cast<double>(particle.offset.x),
-                            j + static_cast<double>(particle.offset.y), theme.px(largest_dot + 1.5f),
-                            faded(theme.palette.text_dim, 0.35f));
+            for (const Particle& particle : lab.stencil->particles()) {
+                const double x = i + static_cast<double>(particle.offset.x);
+                const double y = j + static_cast<double>(particle.offset.y);
+                const ImVec2 at = canvas.pixel(x, y);
+                const Frame& f = canvas.frame();
+                const bool whole = at.x - radius >= f.low.x && at.x + radius <= f.high.x &&
+                                   at.y - radius >= f.low.y && at.y + radius <= f.high.y;
+                if (whole) canvas.ring(x, y, radius, faded(theme.palette.text_dim, 0.35f));
+            }
         }
     }
 }
