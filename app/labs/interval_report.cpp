@@ -79,7 +79,7 @@ IntervalReport report_on(const Field& row, Interpolations::Id interpolation, boo
     const double sign = secant < 0 ? -1 : 1;
     double furthest = -std::numeric_limits<double>::infinity();
     // At its right end a clamped curve is the next interval's, which has another range.
-    for (const float sample : std::span(curve).first<samples - 1>()) {
+    for (const float sample : std::span(curve).first(clamped ? samples - 1 : samples)) {
         const auto q = static_cast<double>(sample);
         report.below = std::max(report.below, low - q);
         report.above = std::max(report.above, q - high);

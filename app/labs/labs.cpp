@@ -11,7 +11,7 @@
 namespace whorl::app {
 namespace {
 
-/// Begins a lab's window in the middle of the screen, inside it, a little off those before.
+/// Begins a lab's window inside the screen, a little off those before.
 bool begin(const Theme& theme, const LabInfo& lab, int place, bool& open) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const float margin = theme.px(8);
@@ -21,7 +21,7 @@ bool begin(const Theme& theme, const LabInfo& lab, int place, bool& open) {
     ImGui::SetNextWindowSize(size, ImGuiCond_Appearing);
     ImGui::SetNextWindowPos(
         {std::floor(std::clamp(0.5f * (screen.x - size.x) + off, margin, margin + most.x - size.x)),
-         std::floor(std::clamp(0.5f * (screen.y - size.y) + off, margin, margin + most.y - size.y))},
+         std::floor(std::clamp(lab.down * (screen.y - size.y) + off, margin, margin + most.y - size.y))},
         ImGuiCond_Appearing);
     ImGui::SetNextWindowSizeConstraints({std::min(theme.px(440), most.x), std::min(theme.px(300), most.y)},
                                         most);
@@ -37,13 +37,13 @@ std::span<const LabInfo> labs() {
         {"interpolation", "Interpolation lab",
          "Data points to drag, every interpolation between them, and whether its slopes keep it monotone.",
          "thesis fig. 3.5, 3.6", [](LabState& s) -> bool& { return s.interpolation.open; },
-         draw_interpolation_lab, 980, 700},
+         draw_interpolation_lab, 980, 700, 0.5f},
         {"stencil", "Stencil lab", "The particles that ASLAM traces for a node, and how much each counts.",
          "thesis fig. 4.2, 4.3, table 4.1", [](LabState& s) -> bool& { return s.stencil.open; },
-         draw_stencil_lab, 920, 560},
+         draw_stencil_lab, 920, 560, 0.5f},
         {"slice", "Slice",
          "What is shown, along a line through the field: overshoot, flattening and lag as curves.", "",
-         [](LabState& s) -> bool& { return s.slice.open; }, draw_slice_window, 760, 400},
+         [](LabState& s) -> bool& { return s.slice.open; }, draw_slice_window, 760, 400, 1},
     };
     return table;
 }

@@ -17,6 +17,7 @@ struct LabInfo {
     bool& (*open)(LabState&);
     void (*draw)(PanelContext&);
     float width, height;  ///< at first, points
+    float down;           ///< where it lies at first: 0.5 in the middle of the screen, 1 at its lower edge
 };
 /// All labs.
 std::span<const LabInfo> labs();
