@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 
+#include "app/labs/slice_window.h"
 #include "app/panels/curve_view.h"
 #include "app/panels/field_header.h"
 #include "app/panels/lane_tile.h"
@@ -235,6 +236,7 @@ void draw_fields(PanelContext& context, const FieldPlacement& place, const Pixel
     draw_colour_bar(list, theme, bar,
                     {static_cast<float>(all.x), static_cast<float>(all.y + all.height) + theme.px(14)},
                     static_cast<float>(all.width));
+    draw_slice_line(context, place, list);
     draw_brush(context, place, list);
     if (place.wipe) draw_wipe_line(theme, place, list);
 }
@@ -264,7 +266,7 @@ FieldPlacement draw_field_area(PanelContext& context) {
 
     FieldPlacement place;
     place.window = context.view.window;
-    place.covered = context.view.help ||
+    place.covered = context.view.help || context.view.labs.under_pointer ||
                     ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
     for (const Snapshot& lane : session.lanes)
         place.cells = glm::max(place.cells, glm::ivec2(lane.grid.nx, lane.grid.ny));

@@ -59,5 +59,6 @@ void draw_brush_panel(PanelContext&);
 void draw_time_panel(PanelContext&);
 void draw_pressure_panel(PanelContext&);
 void draw_domain_panel(PanelContext&);
+void draw_labs_panel(PanelContext&);
 
 }  // namespace whorl::app

@@ -16,6 +16,7 @@ std::span<const Panel> panels() {
         {"Time", draw_time_panel},
         {"Pressure", draw_pressure_panel},
         {"Domain", draw_domain_panel},
+        {"Labs", draw_labs_panel},
     };
     return table;
 }

@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "app/labs/lab_state.h"
 #include "app/panels/colour_range.h"
 #include "app/render/colour_map.h"
 #include "app/render/view_window.h"
@@ -40,6 +41,7 @@ struct ViewState {
     bool lessons = false;                          ///< a lesson stands where the measures do
     ColourRange range;
     Renaming renaming;
+    LabState labs;
 
     /// The colours of a view, or of differences in it, which all have the same.
     const ColourMap& map(const View& of, bool of_difference) const {

@@ -6,6 +6,7 @@
 
 #include <future>
 
+#include "app/labs/labs.h"
 #include "app/panels/control_column.h"
 #include "app/panels/dialogs.h"
 #include "app/panels/help_overlay.h"
@@ -218,6 +219,7 @@ void Workbench::draw() {
         draw_measure_column(context);
     }
     ImGui::End();
+    draw_labs(context);
     draw_open_dialog(context);
     draw_film_dialog(context);
     files_.enter = files_.escape = false;

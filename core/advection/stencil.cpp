@@ -75,14 +75,17 @@ Offsets offsets_of(Stencils::Id kind, int zeta, int dimensions, std::uint64_t se
 
 }  // namespace
 
+double Stencil::radius(int dimensions) {
+    return std::sqrt(static_cast<double>(dimensions)) / 2;
+}
+
 Stencil::Stencil(Stencils::Id kind, int zeta, Weights::Id weights, int dimensions, std::uint64_t seed) {
     const Offsets offsets = offsets_of(kind, zeta, dimensions, seed);
-    const double radius = std::sqrt(static_cast<double>(dimensions)) / 2;
     std::vector<double> w;
     double sum = 0;
     for (const Offset& offset : offsets) {
         w.push_back(Weights::dispatch(weights, [&]<class W>(std::type_identity<W>) {
-            return W::weight(std::hypot(offset.x, offset.y), radius);
+            return W::weight(std::hypot(offset.x, offset.y), radius(dimensions));
         }));
         sum += w.back();
     }

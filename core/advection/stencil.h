@@ -19,6 +19,9 @@ class Stencil {
     /// @param seed       of `jittered`
     Stencil(Stencils::Id kind, int zeta, Weights::Id weights, int dimensions, std::uint64_t seed);
 
+    /// Δ_r, the circumscribed circle's radius of a cell, in cells.  [T sec. 4.2]
+    static double radius(int dimensions);
+
     std::span<const Particle> particles() const {
         return {particles_.data(), static_cast<std::size_t>(count_)};
     }

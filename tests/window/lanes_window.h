@@ -4,6 +4,7 @@
 #include <chrono>
 #include <thread>
 
+#include "app/labs/labs.h"
 #include "app/panels/control_column.h"
 #include "app/panels/field_area.h"
 #include "app/panels/measure_column.h"
@@ -40,6 +41,7 @@ struct LanesWindow {
             column("field", layout.field, [&] { place = draw_field_area(context); });
             ImGui::PopStyleVar();
             column("measures", layout.measures, [&] { draw_measure_column(context); });
+            draw_labs(context);
             hover.end_frame();
         });
     }

@@ -1,0 +1,19 @@
+// A field between its samples, as the solver reads it.
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <span>
+
+#include "core/schemes/registry.h"
+
+namespace whorl::app {
+
+/// Interpolates a field with the loops that advection uses, not with a copy of them.
+/// @param field    ghosts filled
+/// @param schemes  its interpolation, clamping and axis order are used
+/// @param places   in samples from sample (0, 0)
+/// @param out      as many values, unit of the field
+void sample_between(const Field& field, const SchemeSet& schemes, bool periodic,
+                    std::span<const glm::dvec2> places, std::span<float> out);
+
+}  // namespace whorl::app

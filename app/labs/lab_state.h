@@ -1,0 +1,65 @@
+// What a person has chosen in the labs.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "app/labs/slice.h"
+#include "app/plot/plot.h"
+#include "core/advection/stencil.h"
+
+namespace whorl::app {
+
+/// A truth for every interpolation of the registry.
+using ShownInterpolations = std::array<bool, Interpolations::infos.size()>;
+
+constexpr ShownInterpolations all_interpolations() {
+    ShownInterpolations all{};
+    all.fill(true);
+    return all;
+}
+
+struct InterpolationLab {
+    bool open = false;
+    std::size_t data_set = 0;   ///< index into data_sets()
+    std::vector<float> values;  ///< the data set's, as they have been dragged
+    int interval = 0;           ///< the chosen one begins at this point
+    ShownInterpolations shown = all_interpolations();
+    bool clamped = false;
+    std::optional<std::size_t> dragged;  ///< the point that the pointer holds
+    std::optional<std::size_t> pointed;  ///< the interpolation whose row is under the pointer
+    Interval y{0, 1};                    ///< of the plot, held while a point is dragged
+};
+
+struct StencilLab {
+    bool open = false;
+    struct Choice {
+        Stencils::Id kind;
+        Weights::Id weights;
+        int zeta = 2;
+        int dimensions = 2;
+        int seed = 1;
+        bool operator==(const Choice&) const = default;
+    } choice;
+    Choice made;  ///< what `stencil` was made for
+    std::optional<Stencil> stencil;
+};
+
+struct SliceLab {
+    bool open = false;
+    SliceLine line;
+    bool compares_interpolations = false;  ///< of the selected lane, instead of the lanes
+    ShownInterpolations shown = all_interpolations();
+    bool clamped = false;
+    FilledFields fields;
+};
+
+struct LabState {
+    InterpolationLab interpolation;
+    StencilLab stencil;
+    SliceLab slice;
+    bool under_pointer = false;  ///< a lab's window is: the field below takes no strokes
+};
+
+}  // namespace whorl::app

@@ -1,0 +1,68 @@
+#include "app/labs/labs.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "app/labs/interpolation_lab.h"
+#include "app/labs/slice_window.h"
+#include "app/labs/stencil_lab.h"
+
+namespace whorl::app {
+namespace {
+
+/// Begins a lab's window inside the screen, a little off those before.
+bool begin(const Theme& theme, const LabInfo& lab, int place, bool& open) {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const float margin = theme.px(8);
+    const ImVec2 most{screen.x - 2 * margin, screen.y - 2 * margin};
+    const ImVec2 size{std::min(theme.px(lab.width), most.x), std::min(theme.px(lab.height), most.y)};
+    const float off = theme.px(18) * static_cast<float>(place);
+    ImGui::SetNextWindowSize(size, ImGuiCond_Appearing);
+    ImGui::SetNextWindowPos(
+        {std::floor(std::clamp(0.5f * (screen.x - size.x) + off, margin, margin + most.x - size.x)),
+         std::floor(std::clamp(lab.down * (screen.y - size.y) + off, margin, margin + most.y - size.y))},
+        ImGuiCond_Appearing);
+    ImGui::SetNextWindowSizeConstraints({std::min(theme.px(440), most.x), std::min(theme.px(300), most.y)},
+                                        most);
+    return ImGui::Begin(
+        lab.label, &open,
+        ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoNav);
+}
+
+}  // namespace
+
+std::span<const LabInfo> labs() {
+    static constexpr LabInfo table[] = {
+        {"interpolation", "Interpolation lab",
+         "Data points to drag, every interpolation between them, and whether its slopes keep it monotone.",
+         "thesis fig. 3.5, 3.6", [](LabState& s) -> bool& { return s.interpolation.open; },
+         draw_interpolation_lab, 980, 700, 0.5f},
+        {"stencil", "Stencil lab", "The particles that ASLAM traces for a node, and how much each counts.",
+         "thesis fig. 4.2, 4.3, table 4.1", [](LabState& s) -> bool& { return s.stencil.open; },
+         draw_stencil_lab, 920, 560, 0.5f},
+        {"slice", "Slice",
+         "What is shown, along a line through the field: overshoot, flattening and lag as curves.", "",
+         [](LabState& s) -> bool& { return s.slice.open; }, draw_slice_window, 760, 400, 1},
+    };
+    return table;
+}
+
+void draw_labs(PanelContext& context) {
+    LabState& state = context.view.labs;
+    state.under_pointer = false;
+    int place = 0;
+    for (const LabInfo& lab : labs()) {
+        bool& open = lab.open(state);
+        if (!open) continue;
+        if (begin(context.theme, lab, place++, open)) {
+            context.trace.control("lab-window=" + std::string(lab.key));
+            lab.draw(context);
+        }
+        state.under_pointer |= ImGui::IsWindowHovered(ImGuiHoveredFlags_RootAndChildWindows |
+                                                      ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
+        ImGui::End();
+    }
+}
+
+}  // namespace whorl::app

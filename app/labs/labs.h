@@ -1,0 +1,25 @@
+// The labs: windows over the field in which one idea at a time can be tried.
+#pragma once
+
+#include "app/panels/panel.h"
+
+namespace whorl::app {
+
+/// Draws the open ones, each a window of its own. Call once a frame, between other windows.
+void draw_labs(PanelContext& context);
+
+/// A lab: what its chip says, where its window's state lies, and what fills it.
+struct LabInfo {
+    const char* key;
+    const char* label;
+    const char* help;
+    const char* source;
+    bool& (*open)(LabState&);
+    void (*draw)(PanelContext&);
+    float width, height;  ///< at first, points
+    float down;           ///< where it lies at first: 0.5 in the middle of the screen, 1 at its lower edge
+};
+/// All labs.
+std::span<const LabInfo> labs();
+
+}  // namespace whorl::app

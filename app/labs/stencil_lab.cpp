@@ -1,0 +1,257 @@
+#include "app/labs/stencil_lab.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "app/labs/canvas.h"
+#include "app/labs/lab_widgets.h"
+#include "app/labs/weight_profile.h"
+#include "app/panels/widgets.h"
+
+namespace whorl::app {
+namespace {
+
+/// How large a particle's dot is where it counts the most, points; its area goes with its weight.
+constexpr float largest_dot = 8;
+
+double distance(const Particle& particle) {
+    return std::hypot(static_cast<double>(particle.offset.x), static_cast<double>(particle.offset.y));
+}
+
+/// What is said of all particles together.
+struct Summary {
+    double sum = 0, least = 1, most = 0;
+    explicit Summary(std::span<const Particle> particles) {
+        for (const Particle& particle : particles) {
+            const auto weight = static_cast<double>(particle.weight);
+            sum += weight;
+            least = std::min(least, weight);
+            most = std::max(most, weight);
+        }
+    }
+};
+
+/// A row of chips, one for each scheme of a list.
+template <class List>
+void scheme_chips(PanelContext& context, const char* key, typename List::Id& chosen) {
+    const float width = chip_width(static_cast<int>(List::infos.size()));
+    for (std::size_t k = 0; k < List::infos.size(); ++k) {
+        const SchemeInfo& info = List::infos[k];
+        if (lab_chip(context, std::string(key) + std::string(info.key),
+                     {info.label, info.help, "", info.source, ""}, chosen.index() == k, width, k == 0))
+            chosen = List::Id::at(k);
+    }
+}
+
+void controls(PanelContext& context, StencilLab::Choice& choice) {
+    const Theme& theme = context.theme;
+    scheme_chips<Stencils>(context, "stencil-kind=", choice.kind);
+    scheme_chips<Weights>(context, "stencil-weights=", choice.weights);
+    const float width = chip_width(3);
+    for (const int dimensions : {1, 2}) {
+        const std::string key = "stencil-dimensions=" + std::to_string(dimensions);
+        if (lab_chip(context, key,
+                     {dimensions == 1 ? "1D" : "2D", "Particles on a line, or in the plane; Δ_r = ½√d cells.",
+                      "", "thesis sec. 4.1", ""},
+                     choice.dimensions == dimensions, std::floor(0.5f * width), dimensions == 1))
+            choice.dimensions = dimensions;
+    }
+    const bool jittered = choice.kind == Stencils::of<Jittered>();
+    const auto whole = [&](const char* label, const char* id, int& value, int least, int most, float wide,
+                           const HelpText& help) {
+        ImGui::SameLine();
+        ImGui::AlignTextToFramePadding();
+        text(theme.palette.text_dim, label);
+        ImGui::SameLine();
+        ImGui::SetNextItemWidth(wide);
+        slider(theme, id, value, {static_cast<double>(least), static_cast<double>(most)}, "");
+        value = std::clamp(value, least, most);
+        context.trace.control(id + 2);
+        context.help.item(theme, id, help);
+    };
+    whole("ζ", "##stencil-zeta", choice.zeta, 0, SchemeSet::max_zeta, std::floor(0.8f * width),
+          {"Parametric size ζ",
+           "How many particles there are along each axis. 0 is the node alone: plain semi-Lagrangian.",
+           "0 to 4", "thesis sec. 4.1, table 4.1", ""});
+    ImGui::BeginDisabled(!jittered);
+    whole("Seed", "##stencil-seed", choice.seed, 1, 99, -FLT_MIN,
+          {"Seed", "Another one gives another set of jittered particles.", "1 to 99", "after thesis ch. 6",
+           jittered ? "" : "Only jittered particles are drawn by lot."});
+    ImGui::EndDisabled();
+}
+
+/// The cells around the node, its own one marked, and the circle of radius Δ_r around it.
+void draw_grid(const Theme& theme, const Canvas& canvas, int dimensions) {
+    ImDrawList& list = canvas.begin();
+    const double half = dimensions == 1 ? 0.12 : 0.5;
+    list.AddRectFilled(canvas.pixel(-0.5, half), canvas.pixel(0.5, -half), faded(theme.palette.text, 0.05f));
+    list.AddRect(canvas.pixel(-0.5, half), canvas.pixel(0.5, -half), theme.palette.border, 0, 0,
+                 theme.px(1.5f));
+    const int across = dimensions == 1 ? 0 : 1;
+    for (int j = -across; j <= across; ++j) {
+        for (int i = -1; i <= 1; ++i) {
+            const ImVec2 at = canvas.pixel(i, j);
+            const float arm = theme.px(6);
+            list.AddLine({at.x - arm, at.y}, {at.x + arm, at.y}, theme.palette.text_dim, theme.px(2));
+            list.AddLine({at.x, at.y - arm}, {at.x, at.y + arm}, theme.palette.text_dim, theme.px(2));
+        }
+    }
+    canvas.end();
+    if (dimensions == 1) return;
+    std::vector<ImVec2> circle;
+    for (int k = 0; k <= 96; ++k) {
+        const double angle = 2 * std::numbers::pi * k / 96;
+        const double radius = Stencil::radius(dimensions);
+        circle.push_back(canvas.pixel(radius * std::cos(angle), radius * std::sin(angle)));
+    }
+    canvas.dashes(circle, faded(theme.palette.text_dim, 0.6f));
+}
+
+/// The neighbours' particles, as rings: where one lies around a dot, two nodes share it.
+void draw_neighbours(const Theme& theme, const Canvas& canvas, const StencilLab& lab) {
+    const int across = lab.choice.dimensions == 1 ? 0 : 1;
+    const float radius = theme.px(largest_dot + 1.5f);
+    for (int j = -across; j <= across; ++j) {
+        for (int i = -1; i <= 1; ++i) {
+            if (i == 0 && j == 0) continue;
+            for (const Particle& particle : lab.stencil->particles()) {
+                const double x = i + static_cast<double>(particle.offset.x);
+                const double y = j + static_cast<double>(particle.offset.y);
+                const ImVec2 at = canvas.pixel(x, y);
+                const Frame& f = canvas.frame();
+                const bool whole = at.x - radius >= f.low.x && at.x + radius <= f.high.x &&
+                                   at.y - radius >= f.low.y && at.y + radius <= f.high.y;
+                if (whole) canvas.ring(x, y, radius, faded(theme.palette.text_dim, 0.35f));
+            }
+        }
+    }
+}
+
+std::string describe(const Particle& particle, int dimensions) {
+    const auto x = static_cast<double>(particle.offset.x), y = static_cast<double>(particle.offset.y);
+    char line[160];
+    std::snprintf(line, sizeof line, "Offset (%.3f, %.3f) cells\nDistance %.3f cells = %.3f Δ_r\nWeight %.5f",
+                  x, y, distance(particle), distance(particle) / Stencil::radius(dimensions),
+                  static_cast<double>(particle.weight));
+    return line;
+}
+
+void particles_plot(PanelContext& context, const StencilLab& lab, ImVec2 size) {
+    const Theme& theme = context.theme;
+    const std::span<const Particle> particles = lab.stencil->particles();
+    Plot plot;
+    plot.title = "Particles of a node";
+    plot.x_name = "x, cells from the node";
+    plot.size = size;
+    const double reach = 1.12;
+    const LegendEntry legend[] = {{"particles, by weight", theme.palette.accent, true},
+                                  {"of neighbours", theme.palette.text_dim, true}};
+    const double up = lab.choice.dimensions == 1 ? 0.3 : reach;
+    const Canvas canvas(theme, plot, legend, {-reach, reach}, {-up, up}, Canvas::Units::Equal);
+    context.trace.control("stencil-particles");
+    if (!canvas) return;
+    draw_grid(theme, canvas, lab.choice.dimensions);
+    draw_neighbours(theme, canvas, lab);
+    const double most = Summary(particles).most;
+    const Particle* under = nullptr;
+    for (const Particle& particle : particles) {
+        const auto x = static_cast<double>(particle.offset.x), y = static_cast<double>(particle.offset.y);
+        const auto part = static_cast<float>(static_cast<double>(particle.weight) / most);
+        const float radius = theme.px(largest_dot) * std::sqrt(part);
+        canvas.dot(x, y, radius, faded(theme.palette.accent, 0.3f + 0.7f * part));
+        const ImVec2 at = canvas.pixel(x, y);
+        const ImVec2 mouse = ImGui::GetIO().MousePos;
+        if (canvas.hovered() && std::hypot(at.x - mouse.x, at.y - mouse.y) <= theme.px(largest_dot))
+            under = &particle;
+    }
+    const std::string what =
+        under != nullptr
+            ? describe(*under, lab.choice.dimensions)
+            : "Where each node's particles start, as large as they count. The frame is the node's cell, the "
+              "dashes are the circle of radius Δ_r. A particle inside a ring is also one of a neighbour's.";
+    context.help.item(
+        theme, "stencil-particles" + what,
+        {under != nullptr ? "Particle" : "Particles", what, "", "thesis fig. 4.2, table 4.1", ""});
+}
+
+/// The weights as curves, those of the particles themselves as dots on the chosen one.
+void weights_plot(PanelContext& context, const StencilLab& lab, ImVec2 size) {
+    const Theme& theme = context.theme;
+    constexpr std::size_t kinds = Weights::infos.size();
+    constexpr int samples = 160;
+    const double radius = Stencil::radius(lab.choice.dimensions);
+    std::vector<float> x;
+    std::array<std::vector<float>, kinds> y;
+    std::vector<LegendEntry> legend;
+    Extent extent;
+    extent.add(std::array{0.0f});
+    for (int m = 0; m <= samples; ++m) x.push_back(static_cast<float>(radius * (2.0 * m / samples - 1)));
+    for (std::size_t k = 0; k < kinds; ++k) {
+        const WeightProfile profile(*lab.stencil, lab.choice.dimensions, Weights::Id::at(k));
+        for (const float r : x) y[k].push_back(static_cast<float>(profile(std::abs(static_cast<double>(r)))));
+        extent.add(y[k]);
+        legend.push_back({Weights::infos[k].label, theme.palette.series[k]});
+    }
+    Plot plot;
+    plot.title = "Weights";
+    plot.x_name = "distance, cells";
+    plot.size = size;
+    const Canvas canvas(theme, plot, legend, {-1.06 * radius, 1.06 * radius}, extent.fitted());
+    context.trace.control("stencil-profile");
+    if (!canvas) return;
+    const std::size_t chosen = lab.choice.weights.index();
+    for (std::size_t k = 0; k < kinds; ++k) {
+        canvas.curve(x, y[k], theme.palette.series[k],
+                     k == chosen ? 2 * curve_thickness(theme) : curve_thickness(theme));
+    }
+    for (const Particle& particle : lab.stencil->particles()) {
+        const double side = particle.offset.x < 0 ? -1 : 1;
+        canvas.dot(side * distance(particle), static_cast<double>(particle.weight), theme.px(3),
+                   theme.palette.series[chosen]);
+    }
+    context.help.item(theme, "stencil-profile",
+                      {"Weights by distance",
+                       "All kinds of weights, scaled so that those of this stencil sum to "
+                       "1. Dots are the particles, on the side of the node where they lie.",
+                       "", "thesis eq. 4.4–4.9, fig. 4.3", ""});
+}
+
+void numbers(const Theme& theme, const StencilLab& lab) {
+    const std::span<const Particle> particles = lab.stencil->particles();
+    const Summary summary(particles);
+    char line[160];
+    std::snprintf(line, sizeof line, "%zu particle%s  ·  weights sum to %.6f", particles.size(),
+                  particles.size() == 1 ? "" : "s", summary.sum);
+    ImGui::TextUnformatted(line);
+    std::snprintf(line, sizeof line, "least %.5f  ·  most %.5f  ·  ratio %.3f", summary.least, summary.most,
+                  summary.least / summary.most);
+    text(theme.palette.text_dim, line);
+}
+
+}  // namespace
+
+void draw_stencil_lab(PanelContext& context) {
+    StencilLab& lab = context.view.labs.stencil;
+    controls(context, lab.choice);
+    if (!lab.stencil || !(lab.made == lab.choice)) {
+        const StencilLab::Choice& c = lab.choice;
+        lab.stencil.emplace(c.kind, c.zeta, c.weights, c.dimensions, static_cast<std::uint64_t>(c.seed));
+        lab.made = lab.choice;
+    }
+    const Theme& theme = context.theme;
+    const float lines = 2 * ImGui::GetTextLineHeightWithSpacing() + theme.px(2);
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    const float height = std::max(room.y - lines, theme.px(150));
+    const float left = std::floor(0.55f * (room.x - gap));
+    particles_plot(context, lab, {left, height});
+    ImGui::SameLine(0, gap);
+    weights_plot(context, lab, {room.x - left - gap, height});
+    numbers(theme, lab);
+}
+
+}  // namespace whorl::app
