@@ -73,7 +73,8 @@ constexpr const char* scene_help =
 constexpr const char* scene_type = "PRESET|FILE";
 
 /// "40,80,160" as numbers.  @throws InputError
-std::vector<int> whole_numbers(const std::string& option, const std::string& text) {
+std::vector<int> whole_numbers(const std::string& option, const std::string& text,
+                               const std::string& example = "600,1200") {
     std::vector<int> numbers;
     const char* at = text.data();
     const char* const end = at + text.size();
@@ -81,7 +82,8 @@ std::vector<int> whole_numbers(const std::string& option, const std::string& tex
         int number = 0;
         const auto [next, error] = std::from_chars(at, end, number);
         if (error != std::errc{} || number < 0 || (next != end && *next != ',')) {
-            throw InputError(option + " = \"" + text + "\" is not a list of whole numbers, as 600,1200");
+            throw InputError(option + " = \"" + text + "\" is not a list of whole numbers, 0 or more, as " +
+                             example);
         }
         numbers.push_back(number);
         if (next == end) return numbers;
@@ -219,11 +221,11 @@ Arguments parse_arguments(int argc, char** argv) {
         return compare;
     }
     if (explain_verb->parsed()) {
-        explain.cell = whole_numbers("--cell", cell);
+        explain.cell = whole_numbers("--cell", cell, "20,12");
         return explain;
     }
     if (converge_verb->parsed()) {
-        converge.resolutions = whole_numbers("--resolutions", resolutions);
+        converge.resolutions = whole_numbers("--resolutions", resolutions, "40,80,160");
         return converge;
     }
     if (list_verb->parsed()) return list;

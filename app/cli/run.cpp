@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/cli/exit_code.h"
 #include "app/cli/headless.h"
 #include "app/cli/progress.h"
 #include "app/cli/verbs.h"
@@ -152,12 +153,14 @@ void say_stopped(const Session& session) {
     }
 }
 
-void say_digest(const Session& session, std::uint64_t recorded, bool print) {
+/// @return whether a recording's digest, if there is one, is this session's
+bool check_digest(const Session& session, std::uint64_t recorded, bool print) {
     const std::uint64_t now = session.digest();
     if (print) std::printf("digest: %016llx\n", static_cast<unsigned long long>(now));
-    if (recorded == 0) return;
+    if (recorded == 0) return true;
     std::fprintf(stderr, now == recorded ? "the same bits as were recorded\n"
                                          : "whorl: these are not the bits that were recorded\n");
+    return now == recorded;
 }
 
 }  // namespace
@@ -166,7 +169,9 @@ int run_scene(const RunArguments& arguments) {
     const Recording recording = recording_for(arguments.scene, arguments.lanes, arguments.set);
     const long own = recording.step > 0 ? recording.step : recording.setup.scene.steps;
     const long steps = arguments.steps ? *arguments.steps : own;
-    if (steps < 0) throw InputError("--steps = " + std::to_string(steps) + " is out of range: 0 or more");
+    if (steps < 0 || steps > Recording::max_step)
+        throw InputError("--steps = " + std::to_string(steps) + " is out of range: 0 to " +
+                         std::to_string(Recording::max_step));
     check(arguments);
 
     Pool pool(arguments.threads);
@@ -209,8 +214,8 @@ int run_scene(const RunArguments& arguments) {
         write_picture(arguments.picture, drawing->draw({&last, 1}), done);
     }
     if (arguments.csv.empty() && arguments.timing.empty()) say_summary(arguments.scene, session);
-    say_digest(session, steps == recording.step ? recording.digest : 0, arguments.digest);
-    return 0;
+    const bool same = check_digest(session, steps == recording.step ? recording.digest : 0, arguments.digest);
+    return same ? 0 : exit_failed;
 }
 
 }  // namespace whorl::app

@@ -36,9 +36,10 @@ class Words {
     template <class Number>
     Number number() {
         const std::string_view word = next();
+        if (word.empty()) throw InputError("a number is missing");
         Number value{};
         const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-        if (error != std::errc{} || end != word.data() + word.size() || word.empty())
+        if (error != std::errc{} || end != word.data() + word.size())
             throw InputError("\"" + shown(word) + "\" is not a number");
         if constexpr (std::is_floating_point_v<Number>) {
             if (!std::isfinite(value)) throw InputError("\"" + shown(word) + "\" is not finite");

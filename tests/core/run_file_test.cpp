@@ -157,7 +157,7 @@ TEST(RunFile, RefusesCommandsThatAreNone) {
     EXPECT_TRUE(commands("5 set zeta=1\n\n6 sett zeta=1\n").starts_with(at + "3: unknown command \"sett\""));
     EXPECT_EQ(commands("5 build 1 2 3 4 1\n4 build 1 2 3 4 1\n"),
               at + "2: step 4 is out of order: 5 to 10000000");
-    EXPECT_EQ(commands("5 build 1 2 3 4\n"), at + "1: \"\" is not a number");
+    EXPECT_EQ(commands("5 build 1 2 3 4\n"), at + "1: a number is missing");
     EXPECT_EQ(commands("5 build 1 2 nan 4 1\n"), at + "1: \"nan\" is not finite");
     EXPECT_EQ(commands("5 build 1 2 3 4 1e9\n"), at + "1: brush.radius = 1e+09 is out of range: 0.1 to 100");
     EXPECT_EQ(commands("5 build 1 2 3 4 1 5\n"), at + "1: \"5\" is too much");

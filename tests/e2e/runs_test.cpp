@@ -69,8 +69,9 @@ TEST_F(CommandLine, SaysWhenItIsNotWhatWasRecorded) {
     std::string run = drawn_run;
     run.insert(run.find("step ="), "digest = \"0123456789abcdef\"\n");
     write("other.toml", run);
-    EXPECT_NE(whorl("run other.toml").out.find("these are not the bits that were recorded"),
-              std::string::npos);
+    const Outcome o = whorl("run other.toml");
+    EXPECT_NE(o.out.find("these are not the bits that were recorded"), std::string::npos);
+    EXPECT_EQ(o.code, 1);
     EXPECT_EQ(whorl("run other.toml --set beta=0.1").out.find("recorded"), std::string::npos)
         << "who changes it knows";
 }
