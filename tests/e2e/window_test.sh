@@ -180,6 +180,9 @@ until_seen 'whorl-0002.png"'
 cmp "$work/first" "$work/second" || fail "the picture of the opened run differs"
 grep -q digest "$work/first" || fail "the picture holds no digest"
 say "a picture opened again is the same picture"
+"$whorl" run whorl-0001.png --threads 1 >"$work/replay" 2>&1 || fail "$(cat "$work/replay")"
+grep -q "the same bits as were recorded" "$work/replay" || fail "$(cat "$work/replay")"
+say "without a window it has the same bits"
 
 click comparison
 click comparison=one
