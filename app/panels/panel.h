@@ -7,13 +7,13 @@
 #include "app/panels/frame_log.h"
 #include "app/panels/history.h"
 #include "app/panels/hover_help.h"
-#include "app/views/lane_names.h"
 #include "app/panels/measure_view.h"
 #include "app/panels/remote.h"
 #include "app/panels/slabs.h"
 #include "app/panels/view_state.h"
 #include "app/render/theme.h"
 #include "app/views/lane_fields.h"
+#include "app/views/lane_names.h"
 #include "app/window/trace.h"
 
 namespace whorl::app {

@@ -40,7 +40,8 @@ class Lattice {
     /// The lowest and the highest row of points that a site's nodes take, counted as a point's y.
     int lowest(Site site) const { return sites_[static_cast<int>(site)].lowest; }
     int highest(Site site) const { return sites_[static_cast<int>(site)].highest; }
-    /// A point by the cell that holds it, counted from the node's, and its way from that cell's centre, cells.
+    /// A point by the cell that holds it, counted from the node's, and its way from that cell's centre,
+    /// cells.
     struct Origin {
         int i, j;
         Vec2 start;

@@ -40,7 +40,9 @@ TEST_F(CommandLine, DrawsEveryView) {
     }
     EXPECT_EQ(whorl("experiment rest --set resolution=20 --at 3 --picture v.png --view difference").code, 0);
     expect_refused(whorl("run plume --steps 1 --picture v.png --view exact"), "no exact to show");
-    EXPECT_EQ(whorl("run plume --lanes tracers --steps 3 --set resolution=16 --picture v.png --difference").code, 0);
+    EXPECT_EQ(
+        whorl("run plume --lanes tracers --steps 3 --set resolution=16 --picture v.png --difference").code,
+        0);
 }
 
 TEST_F(CommandLine, SameRowsForAnyThreadCount) {
