@@ -178,8 +178,9 @@ class Layouter {
         const float wide = std::floor((layout_.text_width + gap) / static_cast<float>(columns) - gap);
         const float high = theme_.px(plot_height);
         for (std::size_t k = 0; k < count; ++k) {
+            const std::size_t row = k / columns;
             const ImVec2 corner{layout_.left + static_cast<float>(k % columns) * (wide + gap),
-                                y_ + static_cast<float>(k / columns) * (high + gap)};
+                                y_ + static_cast<float>(row) * (high + gap)};
             layout_.plots.push_back({&request_.plots[k], corner, {wide, high}});
         }
         y_ += static_cast<float>(rows) * (high + gap) - gap;

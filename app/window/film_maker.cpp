@@ -63,7 +63,9 @@ std::string make(const fs::path& program, const Recording& recording, const Film
         fs::create_directory(made);
         film = made / "%04d.png";
     }
-    Film(film, options.frames_per_second);  // throws what is known to be missing
+    {
+        const Film trial(film, options.frames_per_second);  // throws what is known to be missing
+    }
     // The window comes first.
     std::vector<std::string> command;
     if (const std::string nice = find_program("nice"); !nice.empty()) command = {nice, "-n", "10"};
