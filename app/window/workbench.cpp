@@ -13,8 +13,10 @@
 #include "app/panels/lesson_panel.h"
 #include "app/panels/measure_column.h"
 #include "app/panels/timeline.h"
+#include "app/panels/tour_card.h"
 #include "app/scenes/presets.h"
 #include "app/window/layout.h"
+#include "app/window/tour_memory.h"
 
 namespace whorl::app {
 namespace {
@@ -60,6 +62,7 @@ Workbench::Workbench(const WindowOptions& options, GlfwWindow& window)
     remote_.set_loaded(options.name);
     clerk_.opened(options.recording, options.name);
     player_->play(options.recording.step == 0);
+    if (options.tour.value_or(!tour_seen())) view_.tour.begin();
 }
 
 void Workbench::frame() {
@@ -107,6 +110,7 @@ void Workbench::take_run() {
 void Workbench::act_on(const InputEvent& event) {
     using Kind = InputEvent::Kind;
     if (event.kind == Kind::Character && ImGui::GetIO().WantTextInput) return;
+    if (view_.tour_in_sight(files_) && !ImGui::GetIO().WantTextInput && view_.tour.take(event)) return;
     if (view_tool_.take(event, place_, view_)) return;
     if (lessons_.take(event, remote_)) return;
     switch (event.kind) {
@@ -223,6 +227,7 @@ void Workbench::draw() {
     draw_open_dialog(context);
     draw_film_dialog(context);
     files_.enter = files_.escape = false;
+    draw_tour(context);
     draw_help_overlay(context);
     help_.end_frame();
     const ImVec2 mouse = ImGui::GetIO().MousePos;

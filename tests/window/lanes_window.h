@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <thread>
 
 #include "app/labs/labs.h"
@@ -42,6 +43,7 @@ struct LanesWindow {
             ImGui::PopStyleVar();
             column("measures", layout.measures, [&] { draw_measure_column(context); });
             draw_labs(context);
+            if (over) over(context);
             hover.end_frame();
         });
     }
@@ -83,6 +85,7 @@ struct LanesWindow {
     Slabs slabs;
     Layout layout{};
     FieldPlacement place;
+    std::function<void(PanelContext&)> over;  ///< draws what else is on screen
 
   private:
     template <class Draw>
