@@ -79,7 +79,7 @@ void Workbench::frame() {
     take_run();
     for (const InputEvent& event : events) act_on(event);
     brush_.end_frame(remote_);
-    lessons_.set_open(view_.lessons);
+    lessons_.set_open(view_.lessons, remote_);
     draw();
     window_.end_frame();
     PanelContext seen = context();
@@ -112,7 +112,7 @@ void Workbench::act_on(const InputEvent& event) {
     if (event.kind == Kind::Character && ImGui::GetIO().WantTextInput) return;
     if (view_.tour_in_sight(files_) && !ImGui::GetIO().WantTextInput && view_.tour.take(event)) return;
     if (view_tool_.take(event, place_, view_)) return;
-    if (lessons_.take(event, remote_)) return;
+    if (lessons_.take(event, remote_, view_)) return;
     switch (event.kind) {
         case Kind::Character:
             if (!files_.dialog) type(event);
