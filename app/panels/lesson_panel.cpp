@@ -118,11 +118,26 @@ void draw_progress(const Theme& theme, const LessonWalk& walk) {
     ImGui::Dummy({width, height});
 }
 
+/// To the next step; from the last one to the next lesson, and from the last lesson to the list.
+void draw_way_on(PanelContext& context, LessonWalk& walk) {
+    if (!walk.last()) {
+        if (button(context, "Next", "lesson-next", -FLT_MIN,
+                   {"", "The next step. Its run and view are set up in one go.", "Key: PageDown", "", ""}))
+            walk.next(context.remote, context.view);
+    } else if (const Lesson* next = walk.next_lesson()) {
+        if (button(context, "Next lesson", "lesson-next", -FLT_MIN, {next->title, next->summary, "", "", ""}))
+            walk.begin(*next, context.remote, context.view);
+    } else if (button(context, "Finish", "lesson-next", -FLT_MIN,
+                      {"", "That was the last step. Back to the list of lessons.", "", "", ""})) {
+        walk.leave();
+    }
+}
+
 void draw_buttons(PanelContext& context, LessonWalk& walk) {
     const float width = std::floor((ImGui::GetContentRegionAvail().x - 2 * gap()) / 3);
     ImGui::BeginDisabled(walk.first());
     if (button(context, "Back", "lesson-back", width,
-               {"", "The step before. What it shows is set up anew. Key: PageUp", "", "", ""}))
+               {"", "The step before. What it shows is set up anew.", "Key: PageUp", "", ""}))
         walk.back(context.remote, context.view);
     ImGui::EndDisabled();
     ImGui::SameLine();
@@ -136,11 +151,7 @@ void draw_buttons(PanelContext& context, LessonWalk& walk) {
     ImGui::PushStyleColor(ImGuiCol_ButtonHovered, faded(palette.accent, 0.9f));
     ImGui::PushStyleColor(ImGuiCol_ButtonActive, faded(palette.accent, 0.8f));
     ImGui::PushStyleColor(ImGuiCol_Text, palette.accent_text);
-    ImGui::BeginDisabled(walk.last());
-    if (button(context, "Next", "lesson-next", -FLT_MIN,
-               {"", "The next step. Its run and view are set up in one go. Key: PageDown", "", "", ""}))
-        walk.next(context.remote, context.view);
-    ImGui::EndDisabled();
+    draw_way_on(context, walk);
     ImGui::PopStyleColor(4);
 }
 

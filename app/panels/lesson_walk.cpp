@@ -3,6 +3,8 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include <algorithm>
+
 namespace whorl::app {
 namespace {
 
@@ -51,6 +53,12 @@ void LessonWalk::next(Remote& remote, const ViewState& view) {
 
 void LessonWalk::back(Remote& remote, const ViewState& view) {
     if (lesson_ != nullptr && !first()) enter(place_ - 1, remote, view);
+}
+
+const Lesson* LessonWalk::next_lesson() const {
+    const std::span<const Lesson> all = lessons();
+    const auto here = std::find_if(all.begin(), all.end(), [&](const Lesson& l) { return &l == lesson_; });
+    return here == all.end() || here + 1 == all.end() ? nullptr : &*(here + 1);
 }
 
 void LessonWalk::enter(std::size_t place, Remote& remote, const ViewState& view) {

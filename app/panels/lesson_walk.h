@@ -30,6 +30,8 @@ class LessonWalk {
     const LessonStep& step() const { return lesson_->steps[place_]; }
     bool first() const { return place_ == 0; }
     bool last() const { return place_ + 1 == lesson_->steps.size(); }
+    /// The lesson that comes after this one in the list; null after the last one, and after one not listed.
+    const Lesson* next_lesson() const;
 
     /// Opens the panel on a lesson's first step.
     /// @param lesson  must live as long as it is read

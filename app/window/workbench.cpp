@@ -204,7 +204,7 @@ void Workbench::draw() {
     files_.dialog = false;
     const Layout layout =
         lay_out(theme, field_shape(session, view_), static_cast<float>(window_.framebuffer_width()),
-                static_cast<float>(window_.framebuffer_height()));
+                static_cast<float>(window_.framebuffer_height()), view_.lessons);
 
     begin_panel("controls", layout, layout.controls, theme, slabs_);
     draw_control_column(context);

@@ -64,6 +64,19 @@ struct LessonWindow {
         EXPECT_TRUE(walk.take({.kind = InputEvent::Kind::Key, .code = key}, remote, view));
         frame();
     }
+    /// Clicks a control by its name in the trace.
+    void click(const char* key) {
+        const auto place = trace.places().in_sight(key);
+        ASSERT_TRUE(place) << key;
+        ImGuiIO& io = ImGui::GetIO();
+        io.MousePos = {place->x + 0.5f * place->width, place->y + 0.5f * place->height};
+        for (const bool down : {false, true, false}) {
+            io.MouseDown[0] = down;
+            frame();
+        }
+        io.MousePos = {-FLT_MAX, -FLT_MAX};
+        frame();
+    }
     /// Whether everything is as the step says.
     bool shows(const LessonStep& step) const {
         const Compare compare = step.mode == LessonMode::One    ? Compare::One
@@ -284,6 +297,26 @@ TEST(LessonPanelWalk, TurnsPagesFasterThanRunsBegin) {
         window.press(GLFW_KEY_PAGE_UP);
     }
     EXPECT_TRUE(window.eventually([&] { return window.shows(lesson.steps[1]); }));
+}
+
+TEST(LessonPanelWalk, GoesFromALessonToTheNextAndBackToTheList) {
+    HeadlessUi ui(1024, 768, 1.0f);
+    LessonWindow window(ui);
+    const auto to_its_end = [&] {
+        while (!window.walk.last()) window.walk.next(window.remote, window.view);
+        window.frame();
+    };
+    window.walk.begin(lessons()[0], window.remote, window.view);
+    to_its_end();
+    window.click("lesson-next");
+    EXPECT_EQ(window.walk.lesson(), &lessons()[1]);
+    EXPECT_EQ(window.walk.place(), 0u);
+    EXPECT_TRUE(window.walk.keeps_run(window.remote));
+    window.walk.begin(lessons().back(), window.remote, window.view);
+    to_its_end();
+    window.click("lesson-next");
+    EXPECT_EQ(window.walk.lesson(), nullptr);
+    EXPECT_TRUE(window.walk.open());
 }
 
 /// A person's own run: something was done in it, and it is looked at in a way of its own.
