@@ -8,6 +8,7 @@
 #include "app/labs/labs.h"
 #include "app/panels/control_column.h"
 #include "app/panels/field_area.h"
+#include "app/panels/lesson_panel.h"
 #include "app/panels/measure_column.h"
 #include "app/window/layout.h"
 #include "tests/support/headless_ui.h"
@@ -41,7 +42,13 @@ struct LanesWindow {
             ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
             column("field", layout.field, [&] { place = draw_field_area(context); });
             ImGui::PopStyleVar();
-            column("measures", layout.measures, [&] { draw_measure_column(context); });
+            column("measures", layout.measures, [&] {
+                if (lesson_walk != nullptr) {
+                    draw_lesson_panel(context, *lesson_walk);
+                } else {
+                    draw_measure_column(context);
+                }
+            });
             draw_labs(context);
             if (over) over(context);
             hover.end_frame();
@@ -85,6 +92,7 @@ struct LanesWindow {
     Slabs slabs;
     Layout layout{};
     FieldPlacement place;
+    LessonWalk* lesson_walk = nullptr;        ///< stands where the measures do
     std::function<void(PanelContext&)> over;  ///< draws what else is on screen
 
   private:
