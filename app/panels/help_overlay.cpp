@@ -39,7 +39,7 @@ constexpr Row keys[] = {
     {"L", "lessons; Page Up and Down turn their steps"},
     {"F12", "picture as PNG, which carries the run"},
     {"H", "this help"},
-    {"Esc", "close this"},
+    {"Esc", "close this, a dialog or the top lab"},
     {"Q, Ctrl+Q", "quit"},
 };
 
