@@ -195,6 +195,9 @@ void draw_failure(PanelContext& context, const PixelRect& rect) {
     ImGui::TextWrapped("At %s. The last good state is shown.", failure->c_str());
     if (ImGui::Button("Reset")) context.remote.restart();
     context.trace.control("failure-reset");
+    context.help.item(
+        theme, "failure-reset",
+        {"", "Back to the start of the scene, with the schemes as they are set.", "Key: R", "", ""});
     ImGui::EndChild();
     ImGui::PopStyleColor(2);
 }

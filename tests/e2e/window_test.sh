@@ -195,8 +195,8 @@ click open-path
 xdotool type --delay 50 nowhere.png
 xdotool key Return
 until_seen '"event":"opened-failed"'
+xdotool key Escape sleep 0.3 key ctrl+o
 click open-path
-xdotool key ctrl+a
 xdotool type --delay 50 whorl-0001.png
 xdotool key Return
 until_seen '"event":"opened"'
