@@ -6,8 +6,8 @@
 namespace whorl::app {
 namespace {
 
-constexpr double margin = 3;        // cells around all that is drawn
-constexpr double least_cells = 12;  // across the shorter side
+constexpr double margin = 2;       // cells around all that is drawn
+constexpr double least_cells = 8;  // across the shorter side
 
 class Box {
   public:

@@ -23,6 +23,10 @@ struct Inspector {
     std::optional<Pointed> pointed;
     bool goes_closer = false;  ///< the field is to be seen closer once the node is explained
 
+    void pick(WorldPoint at) {
+        node.at = at;
+        picked = true;
+    }
     /// What to watch of the run.
     std::optional<Watch::Node> watched() const { return open && picked ? std::optional(node) : std::nullopt; }
     /// The base step to draw.

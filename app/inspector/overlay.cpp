@@ -41,6 +41,14 @@ class Drawing {
         way(step);
     }
 
+    /// The cell under the pointer.
+    void point_out(ImVec2 pointer) const {
+        const WorldPoint p =
+            place_.world(tile_, static_cast<double>(pointer.x), static_cast<double>(pointer.y));
+        const WorldPoint middle{(std::floor(p.x / h_) + 0.5) * h_, (std::floor(p.y / h_) + 0.5) * h_};
+        frame(at(middle), Site::Centre, faded(theme_.palette.text, 0.7f));
+    }
+
   private:
     ImVec2 at(WorldPoint p) const {
         const glm::dvec2 pixel = place_.pixel(tile_, p);
@@ -144,7 +152,7 @@ class Drawing {
     void particles(const BaseStep& step) const {
         double most = 0;
         for (const StencilParticle& p : step.particles) most = std::max(most, p.weight);
-        const float whole = std::min(0.16f * cell_, theme_.px(7));
+        const float whole = std::min(0.1f * cell_, theme_.px(7));
         for (std::size_t k = 0; k < step.particles.size(); ++k) {
             const StencilParticle& p = step.particles[k];
             const bool pointed = inspector_.pointed && inspector_.pointed->term == k;
@@ -209,17 +217,42 @@ WayColours way_colours(const Theme& theme) {
 }
 
 void draw_inspected(const PanelContext& context, const FieldPlacement& place, ImDrawList& list) {
-    if (!context.view.labs.inspector.watched()) return;
+    if (!context.view.labs.inspector.open) return;
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const FieldTile* under = place.at(static_cast<double>(mouse.x), static_cast<double>(mouse.y));
     for (const FieldTile& tile : place.tiles) {
-        const auto& explanation = context.remote.session().lanes[tile.lane].explanation;
-        if (!explanation) continue;
         const ImVec2 low{static_cast<float>(tile.part.x), static_cast<float>(tile.part.y)};
-        list.PushClipRect(
-            low, {low.x + static_cast<float>(tile.part.width), low.y + static_cast<float>(tile.part.height)},
-            true);
-        Drawing(context, place, tile, list).draw(*explanation);
+        const ImVec2 high{low.x + static_cast<float>(tile.part.width),
+                          low.y + static_cast<float>(tile.part.height)};
+        list.PushClipRect(low, high, true);
+        const Drawing drawing(context, place, tile, list);
+        if (const auto& explanation = context.remote.session().lanes[tile.lane].explanation)
+            drawing.draw(*explanation);
+        if (&tile == under) drawing.point_out(mouse);
         list.PopClipRect();
     }
+}
+
+std::vector<PlotMark> inspected_marks(const PanelContext& context) {
+    std::vector<PlotMark> marks;
+    const Inspector& inspector = context.view.labs.inspector;
+    const auto& explanation = context.snapshot().explanation;
+    if (!inspector.watched() || !explanation) return marks;
+    const BaseStep& step = explanation->steps[inspector.shown(*explanation)];
+    const WayColours colours = way_colours(context.theme);
+    for (const KernelNode& node : step.nodes) {
+        if (node.at.y < 0 || node.j != step.j) continue;
+        const double weight = node.weight.value_or(0.25);
+        marks.push_back({node.at.x, node.value,
+                         weight < 0 ? context.theme.palette.accent : context.theme.palette.text,
+                         3 + 6 * static_cast<float>(std::sqrt(std::min(1.0, std::abs(weight)))), false});
+    }
+    for (const StencilParticle& particle : step.particles)
+        marks.push_back({particle.path.end.x, particle.value, colours.scheme, 3});
+    marks.push_back(
+        {step.read.x, sum_of(*explanation, inspector.shown(*explanation)).value(), colours.fine, 4});
+    marks.push_back({explanation->at.x, explanation->now, colours.scheme, 6, false});
+    return marks;
 }
 
 }  // namespace whorl::app

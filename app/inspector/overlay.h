@@ -3,8 +3,11 @@
 
 #include <imgui.h>
 
+#include <vector>
+
 #include "app/panels/field_placement.h"
 #include "app/panels/panel.h"
+#include "app/plot/plot.h"
 
 namespace whorl::app {
 
@@ -17,5 +20,9 @@ WayColours way_colours(const Theme& theme);
 /// In every tile, of its own lane: the node, its way and the ways to compare it with, the nodes that are read
 /// with their weights, those that bound it, and the particles.
 void draw_inspected(const PanelContext& context, const FieldPlacement& place, ImDrawList& list);
+
+/// The same of the selected lane, where fields are drawn as curves: the samples that are read, as large as
+/// they count, where they are read, and the node.
+std::vector<PlotMark> inspected_marks(const PanelContext& context);
 
 }  // namespace whorl::app

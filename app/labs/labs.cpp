@@ -20,7 +20,7 @@ struct Bounds {
 /// Inside the screen, a little off the labs that are open already.
 Bounds bounds_of(const PanelContext& context, const LabInfo& lab, int before) {
     using Place = LabInfo::Place;
-    constexpr float column = 0.29f;  // of the screen's width
+    constexpr float column = 0.33f;  // of the screen's width
     const Theme& theme = context.theme;
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const float margin = theme.px(8);

@@ -60,9 +60,7 @@ bool InspectTool::take(const InputEvent& event, const FieldPlacement& place, Rem
 
 void InspectTool::pick(const FieldPlacement& place, const FieldTile& tile, double x, double y, Remote& remote,
                        ViewState& view) const {
-    Inspector& inspector = view.labs.inspector;
-    inspector.node.at = place.world(tile, x, y);
-    inspector.picked = true;
+    view.labs.inspector.pick(place.world(tile, x, y));
     remote.select(tile.lane);
 }
 
