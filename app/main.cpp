@@ -20,6 +20,7 @@ int open_window(const WindowArguments& a) {
     options.name = a.scene;
     options.threads = a.threads;
     options.content_scale = a.content_scale;
+    options.tour = a.tour;
     options.trace = a.trace;
     if (!a.size.empty() && std::sscanf(a.size.c_str(), "%dx%d", &options.width, &options.height) != 2) {
         throw whorl::InputError("--size " + a.size + ": give WIDTHxHEIGHT, such as 1600x1000");

@@ -104,6 +104,10 @@ Arguments parse_arguments(int argc, char** argv) {
     add_lanes(app, window.lanes);
     add_threads(app, window.threads);
     app.add_option("--size", window.size, "size of the window")->type_name("WxH");
+    app.add_flag_callback(
+        "--tour", [&] { window.tour = true; }, "begin with the tour, which else comes at the first start");
+    app.add_flag_callback(
+        "--no-tour", [&] { window.tour = false; }, "begin without it");
     app.add_option("--trace", window.trace, "append what happens, for tests")->type_name("FILE")->group("");
     app.add_option("--content-scale", window.content_scale, "as if the monitor had it")->group("");
 

@@ -16,6 +16,7 @@ struct WindowArguments {
     std::string lanes;  ///< comparison or file; empty for the scene's own
     int threads = 0;    ///< 0 takes one a core
     std::string size;
+    std::optional<bool> tour;  ///< else if it has not been taken yet
     std::string trace;
     double content_scale = 0;
 };

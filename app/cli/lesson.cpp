@@ -110,6 +110,7 @@ std::size_t run_steps(const Lesson& lesson, const LessonArguments& arguments, Po
         if (arguments.pictures.empty()) continue;
         DrawArguments draw;
         draw.view = step.view->key;
+        draw.difference = step.mode == LessonMode::Difference;
         const SessionSnapshot snapshot = run.look(step);
         const std::string name = std::filesystem::path(lesson.key).stem().string();
         write_picture(arguments.pictures + "/" + name + "-" + std::to_string(k + 1) + ".png",

@@ -36,6 +36,12 @@ void state_lines(PanelContext& context) {
     ImGui::Dummy({0, context.theme.px(1)});
 }
 
+/// Opens a panel and scrolls to it.
+void show(const Panel& panel) {
+    ImGui::GetStateStorage()->SetBool(ImGui::GetID(panel.title), true);
+    ImGui::SetScrollFromPosY(ImGui::GetCursorPosY() - ImGui::GetScrollY(), 0);
+}
+
 }  // namespace
 
 void draw_control_column(PanelContext& context) {
@@ -43,6 +49,7 @@ void draw_control_column(PanelContext& context) {
     ImGui::BeginChild("panels", {0, 0}, false, ImGuiWindowFlags_NoNav);  // Tab shows another lane
     bool first = true;
     for (const Panel& panel : panels()) {
+        if (context.view.tour.wanted_panel() == std::string_view(panel.title)) show(panel);
         // What every run needs comes without a heading.
         const bool open = first || heading(context.theme, panel.title, panel.open);
         context.trace.control("panel=" + std::string(panel.title));

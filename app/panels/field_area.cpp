@@ -269,6 +269,7 @@ FieldPlacement draw_field_area(PanelContext& context) {
     FieldPlacement place;
     place.window = context.view.window;
     place.covered = context.view.help || context.view.labs.under_pointer ||
+                    context.view.tour.under_pointer() ||
                     ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
     for (const Snapshot& lane : session.lanes)
         place.cells = glm::max(place.cells, glm::ivec2(lane.grid.nx, lane.grid.ny));

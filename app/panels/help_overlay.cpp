@@ -71,9 +71,17 @@ void draw_help_overlay(PanelContext& context) {
     rows(theme, "Mouse, over the field", mouse);
     ImGui::Dummy({0, theme.px(6)});
     rows(theme, "Keys", keys);
+    ImGui::Dummy({0, theme.px(6)});
+    ImGui::Button("Show the tour");
+    // A click closes the help wherever it is, before the button would be let go.
+    const bool on_tour = ImGui::IsItemHovered();
+    context.trace.control("help-tour");
+    context.help.item(theme, "help-tour", {"", "The tour of the first start again.", "", "", ""});
     ImGui::End();
     ImGui::PopStyleVar();
-    if (ImGui::IsMouseClicked(0)) context.view.help = false;
+    if (!ImGui::IsMouseClicked(0)) return;
+    context.view.help = false;
+    if (on_tour) context.view.tour.begin();
 }
 
 }  // namespace whorl::app

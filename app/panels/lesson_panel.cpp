@@ -47,8 +47,12 @@ void draw_top(PanelContext& context, LessonWalk& walk) {
         ImGui::SameLine();
     }
     if (button(context, "Close", "lesson-close", width,
-               {"", "Closes the lessons. The run stays as it is.", "", "", ""}))
-        walk.set_open(false);
+               {"",
+                walk.keeps_run(context.remote)
+                    ? "Closes the lessons and brings back the run that was here before, as it stood."
+                    : "Closes the lessons. The run stays as it is.",
+                "Key: L", "", ""}))
+        walk.set_open(false, context.remote);
     ImGui::Separator();
 }
 
@@ -78,7 +82,8 @@ void draw_entry(PanelContext& context, LessonWalk& walk, const Lesson& lesson, i
     const ImVec2 after = ImGui::GetCursorScreenPos();
     ImGui::SetCursorScreenPos(corner);
     const std::string key = "lesson=" + lesson.key;
-    if (ImGui::InvisibleButton(key.c_str(), {width, height})) walk.begin(lesson, context.remote);
+    if (ImGui::InvisibleButton(key.c_str(), {width, height}))
+        walk.begin(lesson, context.remote, context.view);
     context.trace.control(key);
     const std::string steps = std::to_string(lesson.steps.size()) + " steps";
     context.help.item(theme, key, {lesson.title, lesson.summary, steps, "", ""});
@@ -113,29 +118,40 @@ void draw_progress(const Theme& theme, const LessonWalk& walk) {
     ImGui::Dummy({width, height});
 }
 
+/// To the next step; from the last one to the next lesson, and from the last lesson to the list.
+void draw_way_on(PanelContext& context, LessonWalk& walk) {
+    if (!walk.last()) {
+        if (button(context, "Next", "lesson-next", -FLT_MIN,
+                   {"", "The next step. Its run and view are set up in one go.", "Key: PageDown", "", ""}))
+            walk.next(context.remote, context.view);
+    } else if (const Lesson* next = walk.next_lesson()) {
+        if (button(context, "Next lesson", "lesson-next", -FLT_MIN, {next->title, next->summary, "", "", ""}))
+            walk.begin(*next, context.remote, context.view);
+    } else if (button(context, "Finish", "lesson-next", -FLT_MIN,
+                      {"", "That was the last step. Back to the list of lessons.", "", "", ""})) {
+        walk.leave();
+    }
+}
+
 void draw_buttons(PanelContext& context, LessonWalk& walk) {
     const float width = std::floor((ImGui::GetContentRegionAvail().x - 2 * gap()) / 3);
     ImGui::BeginDisabled(walk.first());
     if (button(context, "Back", "lesson-back", width,
-               {"", "The step before. What it shows is set up anew. Key: PageUp", "", "", ""}))
-        walk.back(context.remote);
+               {"", "The step before. What it shows is set up anew.", "Key: PageUp", "", ""}))
+        walk.back(context.remote, context.view);
     ImGui::EndDisabled();
     ImGui::SameLine();
     if (button(context, "Show again", "lesson-again", width,
                {"", "Scene, schemes, lanes and view as this step sets them, whatever has been changed since.",
                 "", "", ""}))
-        walk.show(context.remote);
+        walk.show(context.remote, context.view);
     ImGui::SameLine();
     const Palette& palette = context.theme.palette;
     ImGui::PushStyleColor(ImGuiCol_Button, palette.accent);
     ImGui::PushStyleColor(ImGuiCol_ButtonHovered, faded(palette.accent, 0.9f));
     ImGui::PushStyleColor(ImGuiCol_ButtonActive, faded(palette.accent, 0.8f));
     ImGui::PushStyleColor(ImGuiCol_Text, palette.accent_text);
-    ImGui::BeginDisabled(walk.last());
-    if (button(context, "Next", "lesson-next", -FLT_MIN,
-               {"", "The next step. Its run and view are set up in one go. Key: PageDown", "", "", ""}))
-        walk.next(context.remote);
-    ImGui::EndDisabled();
+    draw_way_on(context, walk);
     ImGui::PopStyleColor(4);
 }
 

@@ -3,6 +3,8 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include <algorithm>
+
 namespace whorl::app {
 namespace {
 
@@ -31,40 +33,53 @@ void look(const LessonStep& step, Remote& remote, ViewState& view) {
 
 }  // namespace
 
-void LessonWalk::begin(const Lesson& lesson, Remote& remote) {
+void LessonWalk::set_open(bool open, Remote& remote) {
+    const bool closes = open_ && !open;
+    open_ = open;
+    if (!closes) return;
+    if (kept_.keeps(remote)) left_.reset();
+    kept_.give_back(remote);
+}
+
+void LessonWalk::begin(const Lesson& lesson, Remote& remote, const ViewState& view) {
     open_ = true;
     lesson_ = &lesson;
-    enter(0, remote);
+    enter(0, remote, view);
 }
 
-void LessonWalk::next(Remote& remote) {
-    if (lesson_ != nullptr && !last()) enter(place_ + 1, remote);
+void LessonWalk::next(Remote& remote, const ViewState& view) {
+    if (lesson_ != nullptr && !last()) enter(place_ + 1, remote, view);
 }
 
-void LessonWalk::back(Remote& remote) {
-    if (lesson_ != nullptr && !first()) enter(place_ - 1, remote);
+void LessonWalk::back(Remote& remote, const ViewState& view) {
+    if (lesson_ != nullptr && !first()) enter(place_ - 1, remote, view);
 }
 
-void LessonWalk::enter(std::size_t place, Remote& remote) {
+const Lesson* LessonWalk::next_lesson() const {
+    const std::span<const Lesson> all = lessons();
+    const auto here = std::find_if(all.begin(), all.end(), [&](const Lesson& l) { return &l == lesson_; });
+    return here == all.end() || here + 1 == all.end() ? nullptr : &*(here + 1);
+}
+
+void LessonWalk::enter(std::size_t place, Remote& remote, const ViewState& view) {
     place_ = place;
     turned_ = true;
-    show(remote);
+    show(remote, view);
 }
 
-void LessonWalk::show(Remote& remote) {
-    remote.play(false);
+void LessonWalk::show(Remote& remote, const ViewState& view) {
     left_ = remote.session().run;
-    remote.load(step().scene, step().recording);
+    kept_.load_over(step().scene, step().recording, remote, view);
 }
 
-bool LessonWalk::take(const InputEvent& event, Remote& remote) {
+bool LessonWalk::take(const InputEvent& event, Remote& remote, const ViewState& view) {
     if (!open_ || lesson_ == nullptr || event.kind != InputEvent::Kind::Key) return false;
     if (event.code != GLFW_KEY_PAGE_DOWN && event.code != GLFW_KEY_PAGE_UP) return false;
     if (event.repeated) return true;
     if (event.code == GLFW_KEY_PAGE_DOWN) {
-        next(remote);
+        next(remote, view);
     } else {
-        back(remote);
+        back(remote, view);
     }
     return true;
 }
@@ -77,6 +92,7 @@ bool LessonWalk::begun(const Remote& remote) const {
 }
 
 void LessonWalk::update(Remote& remote, ViewState& view) {
+    kept_.update(remote, view);
     if (lesson_ == nullptr || !left_ || !begun(remote)) return;
     // A view may have nothing to show before the step's moment.
     look(step(), remote, view);

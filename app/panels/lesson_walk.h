@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/lessons/lesson.h"
+#include "app/panels/kept_run.h"
 #include "app/panels/remote.h"
 #include "app/panels/view_state.h"
 #include "app/window/input.h"
@@ -17,7 +18,11 @@ class LessonWalk {
   public:
     /// Whether the panel is open.
     bool open() const { return open_; }
-    void set_open(bool open) { open_ = open; }
+    /// Closed, it gives back the run that was on screen before the lessons' own; one that someone has loaded
+    /// since then stays.
+    void set_open(bool open, Remote& remote);
+    /// Whether there is a run to give back.
+    bool keeps_run(const Remote& remote) const { return kept_.keeps(remote); }
 
     /// The lesson that is read; null while one is chosen.
     const Lesson* lesson() const { return lesson_; }
@@ -25,32 +30,35 @@ class LessonWalk {
     const LessonStep& step() const { return lesson_->steps[place_]; }
     bool first() const { return place_ == 0; }
     bool last() const { return place_ + 1 == lesson_->steps.size(); }
+    /// The lesson that comes after this one in the list; null after the last one, and after one not listed.
+    const Lesson* next_lesson() const;
 
     /// Opens the panel on a lesson's first step.
     /// @param lesson  must live as long as it is read
-    void begin(const Lesson& lesson, Remote& remote);
+    void begin(const Lesson& lesson, Remote& remote, const ViewState& view);
     /// Back to the list of lessons; the run stays.
     void leave() { lesson_ = nullptr; }
-    void next(Remote& remote);
-    void back(Remote& remote);
+    void next(Remote& remote, const ViewState& view);
+    void back(Remote& remote, const ViewState& view);
     /// The step's run and view again, whatever has been changed since.
-    void show(Remote& remote);
+    void show(Remote& remote, const ViewState& view);
     /// Turns to the next step at PageDown and back at PageUp, while a lesson is read.
     /// @return whether the event was one of them
-    bool take(const InputEvent& event, Remote& remote);
+    bool take(const InputEvent& event, Remote& remote, const ViewState& view);
     /// Looks at the shown run as the step says; call once a frame.
     void update(Remote& remote, ViewState& view);
     /// Whether another step was entered since the last call.
     bool take_turned() { return std::exchange(turned_, false); }
 
   private:
-    void enter(std::size_t place, Remote& remote);
+    void enter(std::size_t place, Remote& remote, const ViewState& view);
     bool begun(const Remote& remote) const;
 
     bool open_ = false;
     const Lesson* lesson_ = nullptr;
     std::size_t place_ = 0;
     bool turned_ = false;
+    KeptRun kept_;
     std::optional<int> left_;  ///< the run before, while the step's has not come to its moment
 };
 

@@ -207,9 +207,10 @@ bool Remote::arrange(Arrange arrange, std::optional<std::size_t> select) {
     return true;
 }
 
-void Remote::load(std::string_view key, Recording recording) {
+void Remote::load(std::string_view key, Recording recording, bool set_aside) {
     try {
-        player_.load(std::move(recording));
+        player_.load(std::move(recording), set_aside);
+        ++loads_;
         loaded_ = key;
         pending_.clear();
         to_select_.reset();

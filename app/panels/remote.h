@@ -63,7 +63,11 @@ class Remote {
     bool arrange(Arrange arrange, std::optional<std::size_t> select = {});
     void push(Command command);
     /// Begins another run; a refusal is a notice.
-    void load(std::string_view key, Recording recording);
+    /// @param set_aside  as Player::load takes it
+    void load(std::string_view key, Recording recording, bool set_aside = false);
+    std::unique_ptr<SetAside> take_set_aside() { return player_.take_set_aside(); }
+    /// How many runs have been loaded: tells whether someone else has loaded one.
+    int loads() const { return loads_; }
     /// Begins another scene with the lanes that are compared now; without them, and with a notice, where they
     /// do not go with it.
     void load_scene(std::string_view key, const Scene& scene);
@@ -103,6 +107,7 @@ class Remote {
     Setup setup_;
     Scene scene_;
     std::string loaded_;
+    int loads_ = 0;
     Pace pace_;
     std::vector<int> ids_;  ///< of setup_'s lanes
     int selected_id_ = 0, previous_id_ = unknown;

@@ -5,6 +5,8 @@
 
 #include "app/labs/lab_state.h"
 #include "app/panels/colour_range.h"
+#include "app/panels/file_desk.h"
+#include "app/panels/tour.h"
 #include "app/render/colour_map.h"
 #include "app/render/view_window.h"
 #include "app/views/views.h"
@@ -43,6 +45,10 @@ struct ViewState {
     ColourRange range;
     Renaming renaming;
     LabState labs;
+    Tour tour;
+
+    /// Whether the tour's card is drawn, and takes keys: it steps aside for the help and the dialogs.
+    bool tour_in_sight(const FileDesk& files) const { return tour.running() && !help && !files.dialog; }
 
     /// The colours of a view, or of differences in it, which all have the same.
     const ColourMap& map(const View& of, bool of_difference) const {

@@ -8,6 +8,7 @@
 #include "app/views/session_sheet.h"
 #include "app/window/numbered_path.h"
 #include "app/window/plots_csv.h"
+#include "app/window/tour_memory.h"
 #include "core/io/png.h"
 #include "core/io/run_file.h"
 #include "core/io/whole_file.h"
@@ -41,6 +42,7 @@ void Clerk::end_frame(PanelContext& context, double now) {
     if (const std::unique_ptr<Saved> saved = context.remote.take_saved())
         serve(context, std::move(*saved), now);
     if (std::exchange(context.files.save_plots, false)) save_plots(context);
+    if (context.view.tour.take_ended() && !std::exchange(tour_noted_, true)) note_tour();
     open(context);
     follow_film(context, now);
     check_replay(context);
@@ -120,6 +122,13 @@ void Clerk::save_plots(PanelContext& context) {
                      const auto path = numbered_path(".csv");
                      write_whole_file(path, plots_csv(lanes));
                      return path.string();
+                 }});
+}
+
+void Clerk::note_tour() {
+    chores_.add({"tour-seen", "", "The tour will come again at the next start: ", [] {
+                     remember_tour();
+                     return std::string();
                  }});
 }
 

@@ -41,12 +41,14 @@ class Clerk {
     void take_picture(PanelContext& context, Saved& saved);
     void save_run(Recording recording);
     void save_plots(PanelContext& context);
+    void note_tour();
     void open(PanelContext& context);
     void follow_film(PanelContext& context, double now);
     void check_replay(PanelContext& context);
 
     Wishes wishes_;
     bool saving_ = false;
+    bool tour_noted_ = false;  ///< once is enough, and so is one complaint
     std::unique_ptr<PictureRenderer> renderer_;  ///< made for the first picture
     Chores chores_;
     FilmMaker film_;

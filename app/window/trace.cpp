@@ -63,18 +63,18 @@ Trace::~Trace() {
 }
 
 void Trace::control(std::string_view key) {
-    if (file_ == nullptr) return;
     const ImVec2 low = ImGui::GetItemRectMin();
     const ImVec2 size = ImGui::GetItemRectSize();
     place(key, low.x, low.y, size.x, size.y);
 }
 
 void Trace::place(std::string_view key, float x, float y, float width, float height) {
-    if (file_ == nullptr) return;
-    const Rect rect{x, y, width, height};
-    const auto known = places_.find(key);
-    if (known != places_.end() && known->second == rect) return;
-    places_.insert_or_assign(std::string(key), rect);
+    const Place place{x, y, width, height};
+    const ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 low = list.GetClipRectMin();
+    const ImVec2 high = list.GetClipRectMax();
+    const Place seen = clipped(place, low.x, low.y, high.x, high.y);
+    if (!places_.note(key, place, seen, ImGui::GetFrameCount()) || file_ == nullptr) return;
     std::fprintf(file_, "{\"event\":\"control\",\"key\":%s,\"x\":%.0f,\"y\":%.0f,\"w\":%.0f,\"h\":%.0f}\n",
                  quoted(key).c_str(), static_cast<double>(x + 0.5f * width),
                  static_cast<double>(y + 0.5f * height), static_cast<double>(width),

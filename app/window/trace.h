@@ -2,18 +2,18 @@
 #pragma once
 
 #include <cstdio>
-#include <map>
 #include <string>
 #include <string_view>
 
 #include "app/panels/frame_log.h"
+#include "app/window/places.h"
 #include "core/session/snapshot.h"
 
 namespace whorl::app {
 
 /// Writes a JSON object a line: `{"event":"frame",…}` ten times a second, `{"event":"control","key":…,"x":…,
 /// "y":…}` where a control lies (its middle, pixels) whenever that changes, and other events as they come.
-/// Without a path nothing is written.
+/// Without a path nothing is written, but places are known all the same.
 class Trace {
   public:
     /// @throws std::runtime_error if the file cannot be opened
@@ -25,18 +25,14 @@ class Trace {
     /// Call right after an ImGui item that a test may want to click.
     void control(std::string_view key);
     void place(std::string_view key, float x, float y, float width, float height);
+    const Places& places() const { return places_; }
     void event(std::string_view name, std::string_view text);
     void frame(const FrameLog& frames, double steps_per_second, bool playing, const SessionSnapshot& session,
                double now);
 
   private:
-    struct Rect {
-        float x, y, width, height;
-        bool operator==(const Rect&) const = default;
-    };
-
     std::FILE* file_ = nullptr;
-    std::map<std::string, Rect, std::less<>> places_;
+    Places places_;
     double next_frame_ = 0;
 };
 

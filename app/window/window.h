@@ -1,6 +1,7 @@
 // The window: opens, runs until it is closed.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "app/window/no_opengl.h"
@@ -14,6 +15,7 @@ struct WindowOptions {
     int threads = 0;             ///< of the solver; 0 takes one a core
     int width = 0, height = 0;   ///< of the window, pixels; 0 takes what suits the screen
     double content_scale = 0;    ///< framebuffer pixels to a point; 0 asks the screen
+    std::optional<bool> tour;    ///< whether to begin with it; else if it has not been taken yet
     std::string trace;           ///< file that gets a line for what happens, see Trace; empty for none
 };
 

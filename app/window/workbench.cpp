@@ -13,8 +13,10 @@
 #include "app/panels/lesson_panel.h"
 #include "app/panels/measure_column.h"
 #include "app/panels/timeline.h"
+#include "app/panels/tour_card.h"
 #include "app/scenes/presets.h"
 #include "app/window/layout.h"
+#include "app/window/tour_memory.h"
 
 namespace whorl::app {
 namespace {
@@ -60,6 +62,7 @@ Workbench::Workbench(const WindowOptions& options, GlfwWindow& window)
     remote_.set_loaded(options.name);
     clerk_.opened(options.recording, options.name);
     player_->play(options.recording.step == 0);
+    if (options.tour.value_or(!tour_seen())) view_.tour.begin();
 }
 
 void Workbench::frame() {
@@ -76,7 +79,7 @@ void Workbench::frame() {
     take_run();
     for (const InputEvent& event : events) act_on(event);
     brush_.end_frame(remote_);
-    lessons_.set_open(view_.lessons);
+    lessons_.set_open(view_.lessons, remote_);
     draw();
     window_.end_frame();
     PanelContext seen = context();
@@ -108,9 +111,10 @@ void Workbench::take_run() {
 void Workbench::act_on(const InputEvent& event) {
     using Kind = InputEvent::Kind;
     if (event.kind == Kind::Character && ImGui::GetIO().WantTextInput) return;
+    if (view_.tour_in_sight(files_) && !ImGui::GetIO().WantTextInput && view_.tour.take(event)) return;
     if (view_tool_.take(event, place_, view_)) return;
     if (inspect_tool_.take(event, place_, remote_, view_)) return;
-    if (lessons_.take(event, remote_)) return;
+    if (lessons_.take(event, remote_, view_)) return;
     switch (event.kind) {
         case Kind::Character:
             if (!files_.dialog) type(event);
@@ -206,7 +210,7 @@ void Workbench::draw() {
     files_.dialog = false;
     const Layout layout =
         lay_out(theme, field_shape(session, view_), static_cast<float>(window_.framebuffer_width()),
-                static_cast<float>(window_.framebuffer_height()));
+                static_cast<float>(window_.framebuffer_height()), view_.lessons);
 
     begin_panel("controls", layout, layout.controls, theme, slabs_);
     draw_control_column(context);
@@ -229,6 +233,7 @@ void Workbench::draw() {
     draw_open_dialog(context);
     draw_film_dialog(context);
     files_.enter = files_.escape = false;
+    draw_tour(context);
     draw_help_overlay(context);
     help_.end_frame();
     const ImVec2 mouse = ImGui::GetIO().MousePos;

@@ -96,16 +96,22 @@ std::uint64_t Player::push(Command command) {
     return ++pushed_;
 }
 
-void Player::load(Recording recording) {
+void Player::load(Recording recording, bool set_aside) {
     lane_scenes(recording.setup);
     const std::lock_guard lock(mutex_);
     next_ = std::move(recording);
+    sets_aside_ = sets_aside_ || set_aside;
     taken_ += commands_.size();
     commands_.clear();
     single_ = 0;
     rewind_to_.reset();
     target_.reset();
     wake_.notify_all();
+}
+
+std::unique_ptr<SetAside> Player::take_set_aside() {
+    const std::lock_guard lock(mutex_);
+    return std::move(set_aside_);
 }
 
 void Player::begin_frame() {
@@ -172,11 +178,15 @@ void Player::begin(Lock& lock) {
     Recording recording = std::move(*next_);
     next_.reset();
     const bool limiters = watch_.limiters;
+    const bool sets_aside = std::exchange(sets_aside_, false);
     lock.unlock();
     std::string complaint;
+    std::unique_ptr<SetAside> before;
     try {
         Session session(std::move(recording), pool_);
         session.watch_limiters(limiters);
+        if (sets_aside)
+            before = std::make_unique<SetAside>(SetAside{session_->whole_recording(), session_->complete()});
         session_.emplace(std::move(session));
     } catch (const InputError& e) {
         complaint = e.what();
@@ -186,6 +196,7 @@ void Player::begin(Lock& lock) {
         complaint_ = complaint;
         return;
     }
+    if (before) set_aside_ = std::move(before);
     if (session_->last_step() > 0) target_ = session_->last_step();
     publish(lock, Event::Began);
 }

@@ -30,6 +30,12 @@ struct Saved {
     bool complete = true;  ///< whether the recording holds all of the run
 };
 
+/// A run that another one has taken the place of, up to the last step that it had reached.
+struct SetAside {
+    Recording recording;
+    bool complete = true;  ///< whether the recording holds all of the run
+};
+
 /// A session that plays in the background. All functions may be called from one other thread, and none of
 /// them waits for a step. Commands act before the next step, or at once while paused.
 class Player {
@@ -50,8 +56,11 @@ class Player {
     /// @return a ticket: the command has acted, or was refused, in snapshots whose `taken` has reached it
     std::uint64_t push(Command command);
     /// Throws the present run away and begins another one, at its recording's step.
+    /// @param set_aside  hands the present run over instead; take_set_aside has it once the other one has
+    /// begun
     /// @throws InputError, with nothing changed
-    void load(Recording recording);
+    void load(Recording recording, bool set_aside = false);
+    std::unique_ptr<SetAside> take_set_aside();
     /// Goes to a step of the run that has been reached before, and pauses.
     void seek(long step);
     /// The step that is on its way to be reached, if any.
@@ -110,6 +119,8 @@ class Player {
     std::uint64_t pushed_ = 0;  ///< commands so far
     std::uint64_t taken_ = 0;   ///< of them, those that have acted or were refused or dropped
     std::optional<Recording> next_;
+    bool sets_aside_ = false;  ///< next_ does, or one that it took the place of
+    std::unique_ptr<SetAside> set_aside_;
     std::optional<long> rewind_to_;  ///< a seek that has not begun yet
     std::optional<long> target_;     ///< the step of the seek that is under way
     std::vector<StepMeasures> measures_;

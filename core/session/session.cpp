@@ -225,6 +225,12 @@ Recording Session::recording() const {
     return now;
 }
 
+Recording Session::whole_recording() const {
+    Recording whole = recorded_;
+    whole.step = last_step_;
+    return whole;
+}
+
 bool Session::sound() const {
     return std::any_of(lanes_.begin(), lanes_.end(),
                        [](const Place& place) { return !place.lane->failure().has_value(); });

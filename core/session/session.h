@@ -46,6 +46,8 @@ class Session {
     long last_step() const { return last_step_; }
     /// The run up to now: its commands that have acted.
     Recording recording() const;
+    /// All of the run, up to its last step, with the commands that have not acted again since a rewind.
+    Recording whole_recording() const;
     /// Whether all commands of the run are in the recording.
     bool complete() const { return complete_; }
 

@@ -49,6 +49,27 @@ TEST(Player, StepsOnceAndPauses) {
     EXPECT_EQ(player.newest().step, 1);
 }
 
+TEST(Player, SetsARunAsideForAnotherOne) {
+    Player player(small_plume(), 1);
+    player.step_once();
+    player.push(SetParameter{"beta", "0.1"});
+    ASSERT_TRUE(eventually([&] { return player.newest().step == 1 && player.newest().taken == 1; }));
+    Recording other = small_plume();
+    other.setup.scene.resolution = 12;
+    player.load(other, true);
+    player.load(other);  // before the first of them has begun, as a rule: the run is set aside all the same
+    std::unique_ptr<SetAside> before;
+    ASSERT_TRUE(eventually([&] { return (before = player.take_set_aside()) != nullptr; }));
+    EXPECT_EQ(before->recording.setup, small_plume().setup);
+    EXPECT_EQ(before->recording.commands.size(), 1u);
+    EXPECT_EQ(before->recording.step, 1);
+    EXPECT_TRUE(before->complete);
+    const int run = player.newest().run;
+    player.load(small_plume());
+    ASSERT_TRUE(eventually([&] { return player.newest().run > run; }));
+    EXPECT_EQ(player.take_set_aside(), nullptr) << "nobody asked";
+}
+
 TEST(Player, TakesItsPaceFromTheFrames) {
     Player player(small_plume(), 1);
     player.set_pace({.steps_per_frame = 3, .unlimited = false});

@@ -186,6 +186,17 @@ RC_GTEST_PROP(Session, ComesBackToTheSameBits, ()) {
     }
 }
 
+TEST(Session, HandsOverAllOfItselfWhereverItStands) {
+    Pool pool(1);
+    Session session({.setup = two_lanes()}, pool);
+    use(session);
+    const Recording all = session.recording();
+    EXPECT_EQ(session.whole_recording(), all);
+    session.rewind(12);
+    EXPECT_LT(session.recording().commands.size(), all.commands.size());
+    EXPECT_EQ(session.whole_recording(), all);
+}
+
 TEST(Session, WhoActsInThePastTakesAnotherWay) {
     Pool pool(1);
     Session session({.setup = two_lanes()}, pool);

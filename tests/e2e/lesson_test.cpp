@@ -68,6 +68,18 @@ TEST_F(CommandLine, DrawsALessonsSteps) {
     EXPECT_EQ(whorl("run small-1.png").code, 0);
 }
 
+TEST_F(CommandLine, DrawsDifferencesWhereAStepShowsThem) {
+    std::string differing = small;
+    const std::string before = "run_to = 3\n";
+    differing.insert(differing.find(before), "mode = \"difference\"\n");
+    write("small.toml", differing);
+    EXPECT_EQ(whorl("lesson small.toml --pictures .").code, 0);
+    EXPECT_EQ(whorl("run small-1.png --difference --picture difference.png").code, 0);
+    EXPECT_EQ(whorl("run small-1.png --picture plain.png").code, 0);
+    EXPECT_EQ(read_png(folder / "small-1.png"), read_png(folder / "difference.png"));
+    EXPECT_NE(read_png(folder / "small-1.png"), read_png(folder / "plain.png"));
+}
+
 TEST_F(CommandLine, SaysWhatIsWrongWithALesson) {
     write("broken.toml", std::string(small) + "mesure = \"L1\"\n");
     const std::pair<const char*, const char*> cases[] = {

@@ -83,11 +83,35 @@ DISPLAY=:$(cat "$work/display")
 export DISPLAY
 mkdir "$work/pictures"
 cd "$work/pictures" || exit 1
-"$whorl" empty --set resolution=64 --size 1600x1000 --trace "$trace" >"$work/log" 2>&1 &
-app=$!
-until_seen '"event":"frame"'
-until_ step ">" 5
-say "the window opens and the run plays"
+export XDG_STATE_HOME=$work/state
+open_window() {
+    rm -f "$trace"
+    "$whorl" empty --set resolution=64 --size 1600x1000 --trace "$trace" >"$work/log" 2>&1 &
+    app=$!
+    until_seen '"event":"frame"'
+    until_ step ">" 5
+}
+
+# ---- the first start
+open_window
+until_seen '"key":"tour-card=1"'
+click tour-next
+until_seen '"key":"tour-card=2"'
+xdotool key Right
+until_seen '"key":"tour-card=3"'
+before=$(value step)
+until_ step ">" "$before"
+click tour-skip
+until_seen '"event":"tour-seen"'
+[ -f "$XDG_STATE_HOME/whorl/tour-seen" ] || fail "the tour is not remembered"
+xdotool key q
+wait $app || fail "the first window's exit code is not 0"
+say "the first start shows a tour, over a run that plays"
+
+# ---- the second
+open_window
+grep -q -s -F tour-card "$trace" && fail "the tour comes back"
+say "the window opens and the run plays, without the tour"
 
 # ---- mouse on the field
 drag 1 30 70 60 50

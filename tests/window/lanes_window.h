@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <thread>
 
 #include "app/labs/labs.h"
@@ -35,7 +36,7 @@ struct LanesWindow {
         PanelContext context{ui.theme, remote, view,  measure_view, files, history,
                              frames,   fields, names, hover,        trace, slabs};
         const ImVec2 size = ImGui::GetIO().DisplaySize;
-        layout = lay_out(ui.theme, field_shape(session, view), size.x, size.y);
+        layout = lay_out(ui.theme, field_shape(session, view), size.x, size.y, view.lessons);
         ui.frame([&] {
             column("controls", layout.controls, [&] { draw_control_column(context); });
             ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
@@ -43,6 +44,7 @@ struct LanesWindow {
             ImGui::PopStyleVar();
             column("measures", layout.measures, [&] { draw_measure_column(context); });
             draw_labs(context);
+            if (over) over(context);
             hover.end_frame();
         });
     }
@@ -84,6 +86,7 @@ struct LanesWindow {
     Slabs slabs;
     Layout layout{};
     FieldPlacement place;
+    std::function<void(PanelContext&)> over;  ///< draws what else is on screen
 
   private:
     template <class Draw>
