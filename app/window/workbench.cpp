@@ -108,6 +108,7 @@ void Workbench::act_on(const InputEvent& event) {
     using Kind = InputEvent::Kind;
     if (event.kind == Kind::Character && ImGui::GetIO().WantTextInput) return;
     if (view_tool_.take(event, place_, view_)) return;
+    if (slice_tool_.take(event, place_, remote_.session(), window_.theme().scale, view_.labs.slice)) return;
     if (lessons_.take(event, remote_)) return;
     switch (event.kind) {
         case Kind::Character:
