@@ -10,7 +10,8 @@
 namespace whorl::app {
 namespace {
 
-constexpr double same_place = 1e-3;  // cells: nearer than anyone sees, farther than rounding
+// Cells: farther than rounding, and far nearer than anyone sees.
+constexpr double same_place = 1e-6;
 
 struct Crossing {
     double along;   ///< cells from the line's first end
@@ -52,7 +53,9 @@ bool solid(const Snapshot& lane, glm::ivec2 cell) {
 
 SliceCurve cells_along(const Field& field, const Snapshot& lane, const SliceLine& line) {
     SliceCurve curve;
-    for (const Crossing& crossing : crossings(place_line(line, lane.grid))) {
+    const GridLine placed = place_line(line, lane.grid);
+    if (placed.from.x != placed.to.x && placed.from.y != placed.to.y) return curve;
+    for (const Crossing& crossing : crossings(placed)) {
         const glm::ivec2 cell = cell_at(lane.grid, crossing.at);
         if (glm::distance(glm::dvec2(cell), crossing.at) > same_place) continue;
         curve.x.push_back(static_cast<float>(crossing.along * lane.grid.h));

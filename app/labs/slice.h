@@ -15,8 +15,8 @@ struct SliceCurve {
     std::vector<float> y;  ///< unit of the field
 };
 
-/// The values of the cells whose centres lie on the line: all of a row's or column's, few or none of another
-/// line's.
+/// The values of the cells whose centres lie along a horizontal or vertical line. An oblique one has none: it
+/// meets few, and by chance.
 /// @param field at the centres of `lane`
 SliceCurve cells_along(const Field& field, const Snapshot& lane, const SliceLine& line);
 

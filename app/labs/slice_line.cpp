@@ -62,14 +62,15 @@ GridLine place_line(const SliceLine& line, const Grid& grid) {
 
 SliceLine dragged(const SliceLine& line, SliceGrip grip, glm::dvec2 by, glm::dvec2 near, const Grid& grid) {
     SliceLine now = line;
+    settle(now, grid);  // as it is drawn, lest its other end jump
     if (grip == SliceGrip::Whole) {
-        by = glm::clamp(by, -glm::min(line.from, line.to), 1.0 - glm::max(line.from, line.to));
-        now.from = glm::clamp(line.from + by, 0.0, 1.0);
-        now.to = glm::clamp(line.to + by, 0.0, 1.0);
+        by = glm::clamp(by, -glm::min(now.from, now.to), 1.0 - glm::max(now.from, now.to));
+        now.from = glm::clamp(now.from + by, 0.0, 1.0);
+        now.to = glm::clamp(now.to + by, 0.0, 1.0);
     } else {
         const bool first = grip == SliceGrip::From;
         glm::dvec2& moved = first ? now.from : now.to;
-        const glm::dvec2 fixed = first ? line.to : line.from;
+        const glm::dvec2 fixed = first ? now.to : now.from;
         const glm::dvec2 before = moved;
         moved = glm::clamp(before + by, 0.0, 1.0);
         snap(moved, fixed, near);

@@ -105,6 +105,7 @@ void draw_slice_line(const PanelContext& context, const FieldPlacement& place, I
         const auto colour = [&](SliceGrip end) {
             return grip == end ? theme.palette.accent : theme.palette.text;
         };
+        list.PushClipRectFullScreen();  // ends on the domain's edge are whole
         if (shows(tile, line.from)) draw_disc(list, theme, line.from, end_radius, colour(SliceGrip::From));
         if (shows(tile, line.to)) {
             draw_disc(list, theme, line.to, end_radius, colour(SliceGrip::To));
@@ -112,6 +113,7 @@ void draw_slice_line(const PanelContext& context, const FieldPlacement& place, I
         }
         if (pointed && shows(tile, line.at(*pointed)))
             draw_disc(list, theme, line.at(*pointed), 3.5f, theme.palette.accent);
+        list.PopClipRect();
         const std::string lane = std::to_string(tile.lane + 1);
         const float side = 2 * theme.px(end_radius);
         const auto trace = [&](const char* key, glm::dvec2 at) {

@@ -84,7 +84,7 @@ void add_exact(const PanelContext& context, SliceLab& lab, std::vector<Drawn>& a
 }
 
 void line_chips(PanelContext& context, SliceLab& lab, bool flat) {
-    const float width = std::floor(0.7f * chip_width(6));
+    const float width = std::max(std::floor(0.7f * chip_width(6)), context.theme.px(64));
     const char* warning = flat ? "A one-dimensional run is a line already." : "";
     ImGui::BeginDisabled(flat);
     if (lab_chip(context, "slice=row",
@@ -118,14 +118,9 @@ std::string ends_text(WorldPoint from, WorldPoint to) {
     return line;
 }
 
-/// Where both ends lie, as far as there is room for the longest that it can become.
-void ends_readout(PanelContext& context, const SliceLab& lab, float room) {
+void ends_readout(PanelContext& context, const SliceLab& lab) {
     const Theme& theme = context.theme;
-    const Grid& grid = context.snapshot().grid;
-    const WorldPoint corner{grid.width(), grid.height()};
-    if (text_width(*theme.mono, ends_text(corner, corner)) > room) return;
-    const GridLine line = place_line(lab.line, grid);
-    ImGui::SameLine();
+    const GridLine line = place_line(lab.line, context.snapshot().grid);
     ImGui::PushFont(theme.mono);
     ImGui::AlignTextToFramePadding();
     text(theme.palette.text_dim, ends_text(line.world(0), line.world(1)));
@@ -137,14 +132,20 @@ void ends_readout(PanelContext& context, const SliceLab& lab, float room) {
 }
 
 void line_controls(PanelContext& context, SliceLab& lab) {
+    const Theme& theme = context.theme;
+    const Grid& grid = context.snapshot().grid;
     const float gap = ImGui::GetStyle().ItemSpacing.x;
-    const float subject = chip_width(5);
+    const float subject = std::max(chip_width(5), theme.px(100));
     const float right = ImGui::GetContentRegionMax().x - 2 * subject - std::floor(0.5f * gap);
-    line_chips(context, lab, context.snapshot().grid.dimensions() == 1);
+    line_chips(context, lab, grid.dimensions() == 1);
     ImGui::SameLine();
-    ends_readout(context, lab, right - ImGui::GetCursorPosX() - gap);
+    const WorldPoint corner{grid.width(), grid.height()};
+    const float longest = text_width(*theme.mono, ends_text(corner, corner));
+    const bool beside = longest + gap <= right - ImGui::GetCursorPosX();
+    if (beside) ends_readout(context, lab);
     ImGui::SameLine(right);
     subject_chips(context, lab, subject);
+    if (!beside) ends_readout(context, lab);
 }
 
 void interpolation_controls(PanelContext& context, SliceLab& lab) {
@@ -206,6 +207,14 @@ void draw_curves(const Theme& theme, const Canvas& canvas, const SliceLab& lab,
     }
 }
 
+/// The hairline, and where the curves cross it.
+void draw_pointed(const Theme& theme, const Canvas& canvas, const std::vector<Drawn>& all, double x) {
+    draw_hairline(*ImGui::GetWindowDrawList(), theme, canvas.frame(), x);
+    for (const Drawn& one : all) {
+        if (const auto value = value_at(one.curve, x)) canvas.dot(x, *value, theme.px(3), one.colour);
+    }
+}
+
 void slice_plot(PanelContext& context, SliceLab& lab, const std::vector<Drawn>& all, float height) {
     const Theme& theme = context.theme;
     const Grid& grid = context.snapshot().grid;
@@ -230,12 +239,11 @@ void slice_plot(PanelContext& context, SliceLab& lab, const std::vector<Drawn>& 
     lab.pointed_in_plot.reset();
     if (!canvas) return;
     draw_curves(theme, canvas, lab, all);
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    if (lab.pointed_on_field) draw_hairline(list, theme, canvas.frame(), *lab.pointed_on_field * length);
+    if (lab.pointed_on_field) draw_pointed(theme, canvas, all, *lab.pointed_on_field * length);
     if (!canvas.hovered()) return;
     const double x = canvas.pointer_x();
     lab.pointed_in_plot = x / length;
-    draw_hairline(list, theme, canvas.frame(), x);
+    draw_pointed(theme, canvas, all, x);
     for (const Drawn& one : all) rows.push_back({one.label, one.colour, value_at(one.curve, x)});
     canvas.values(x, rows);
 }
