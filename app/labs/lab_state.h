@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/inspector/inspector.h"
 #include "app/labs/slice.h"
 #include "app/plot/plot.h"
 #include "core/advection/stencil.h"
@@ -66,6 +67,7 @@ struct LabState {
     InterpolationLab interpolation;
     StencilLab stencil;
     SliceLab slice;
+    Inspector inspector;
     bool under_pointer = false;  ///< a lab's window is: the field below takes no strokes
 };
 

@@ -50,6 +50,8 @@ struct ViewState {
         return chosen != maps.end() ? *chosen->second : *find_colour_map(view.map);
     }
     const ColourMap& map() const { return map(*shown, difference); }
+    /// What to watch of the run.
+    Watch watch() const { return {.node = labs.inspector.watched(), .limiters = false}; }
     void choose(const ColourMap& map) { maps[&coloured(*shown, difference)] = &map; }
 
   private:

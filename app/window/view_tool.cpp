@@ -38,7 +38,8 @@ bool ViewTool::take(const InputEvent& event, const FieldPlacement& place, ViewSt
             drag_ = Drag::None;
             return true;
         case Kind::Wheel:
-            if ((event.mods & GLFW_MOD_CONTROL) == 0) return false;
+            // Without a brush the wheel is free.
+            if ((event.mods & GLFW_MOD_CONTROL) == 0 && !view.labs.inspector.open) return false;
             if (place.at(x_, y_) != nullptr) zoom(event.y, place, view);
             return true;
         case Kind::Character:

@@ -86,6 +86,7 @@ void Workbench::frame() {
 
 /// Takes the newest state, its measures, and what is shown of it with its range.
 void Workbench::take_run() {
+    remote_.watch(view_.watch());
     remote_.begin_frame();
     const SessionSnapshot& session = remote_.session();
     const bool new_run = player_->take_measures(measures_);
@@ -109,6 +110,7 @@ void Workbench::act_on(const InputEvent& event) {
     if (event.kind == Kind::Character && ImGui::GetIO().WantTextInput) return;
     if (view_tool_.take(event, place_, view_)) return;
     if (slice_tool_.take(event, place_, remote_.session(), window_.theme().scale, view_.labs.slice)) return;
+    if (inspect_tool_.take(event, place_, remote_, view_)) return;
     if (lessons_.take(event, remote_)) return;
     switch (event.kind) {
         case Kind::Character:
@@ -171,6 +173,10 @@ void Workbench::type(const InputEvent& event) {
         case 'h':
         case 'H':
             view_.help = !view_.help;
+            return;
+        case 'i':
+        case 'I':
+            view_.labs.inspector.open = !view_.labs.inspector.open;
             return;
         case 'l':
         case 'L':
