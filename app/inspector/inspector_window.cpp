@@ -28,7 +28,7 @@ void quantity_chips(PanelContext& context, Inspector& inspector) {
     for (std::size_t k = 0; k < quantities.size(); ++k) {
         const auto quantity = static_cast<Quantity>(k);
         const QuantityInfo& what = info(quantity);
-        const std::string key = "inspect-quantity=" + std::string(what.key);
+        const std::string key = "inspector-quantity=" + std::string(what.key);
         if (lab_chip(context, key, {what.symbol, what.label, "", "", ""}, inspector.node.quantity == quantity,
                      width, k == 0))
             inspector.node.quantity = quantity;
@@ -54,7 +54,7 @@ void head(PanelContext& context, const Explanation& e) {
     text(theme.palette.text, std::string(what.symbol) + " (" + std::to_string(e.i) + ", " +
                                  std::to_string(e.j) + ") = " + written(e.result, 6));
     ImGui::PopFont();
-    context.trace.control("inspect-value");
+    context.trace.control("inspector-value");
     if (context.names.size() > 1) {
         const std::size_t lane = context.remote.selected();
         paragraph(theme.small, theme.lane(static_cast<int>(lane)), context.names.name(lane));
@@ -101,7 +101,7 @@ void step_chips(PanelContext& context, const Explanation& e, Inspector& inspecto
                                     "Draws the second step along the flow, of the corrected field."};
     const float width = chip_width(static_cast<int>(e.steps.size()));
     for (std::size_t k = 0; k < e.steps.size(); ++k) {
-        const std::string key = "inspect-step=" + std::to_string(k + 1);
+        const std::string key = "inspector-step=" + std::to_string(k + 1);
         if (lab_chip(context, key, {names[k], help[k], "", "", ""}, inspector.shown(e) == k, width, k == 0))
             inspector.step = k;
     }
@@ -115,13 +115,15 @@ bool button(PanelContext& context, const char* label, const char* key, float wid
 }
 
 void buttons(PanelContext& context, const Explanation& e, Inspector& inspector) {
-    const float width = chip_width(2);
-    if (button(context, "Closer", "inspect-closer", width,
+    const bool zooms = context.snapshot().grid.dimensions() == 2;
+    const float width = chip_width(zooms ? 2 : 1);
+    if (zooms &&
+        button(context, "Closer", "inspector-closer", width,
                "Shows the cell, its way and what is read there as large as possible. Key 0 shows the whole "
                "domain."))
         inspector.goes_closer = true;
-    ImGui::SameLine(0, std::floor(0.5f * ImGui::GetStyle().ItemSpacing.x));
-    if (!button(context, "Copy as text", "inspect-copy", width,
+    if (zooms) ImGui::SameLine(0, std::floor(0.5f * ImGui::GetStyle().ItemSpacing.x));
+    if (!button(context, "Copy as text", "inspector-copy", width,
                 "All of this as plain text to the clipboard, as `whorl explain` prints it."))
         return;
     const std::string words = write_text(e);

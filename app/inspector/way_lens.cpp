@@ -88,8 +88,8 @@ void draw_way_lens(PanelContext& context, const BaseStep& step, double h) {
     const float side = theme.px(92);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::Dummy({side, side});
-    context.trace.control("inspect-lens");
-    context.help.item(theme, "inspect-lens",
+    context.trace.control("inspector-lens");
+    context.help.item(theme, "inspector-lens",
                       {"Where the ways end",
                        "Seen close: the departure point by Euler, by midpoint, and by many small steps of a "
                        "method of fourth order, which is as good as exact.",

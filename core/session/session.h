@@ -38,6 +38,7 @@ class Session {
 
     /// Whether steps note where limiters act. Goes for the last step at once.
     void watch_limiters(bool watch);
+    bool watches_limiters() const { return watches_limiters_; }
 
     long step_number() const { return step_; }
     double time() const { return time_; }
