@@ -54,6 +54,13 @@ struct SliceLab {
     ShownInterpolations shown = all_interpolations();
     bool clamped = false;
     FilledFields fields;
+    FilledFields exact;                         ///< solutions, by the lane that knows them
+    SliceGrip held = SliceGrip::None;           ///< what the pointer drags
+    SliceGrip under_pointer = SliceGrip::None;  ///< what it would drag
+    std::optional<double> pointed_on_field;     ///< the part of the line under the pointer, 0 to 1 ...
+    std::optional<double> pointed_in_plot;      ///< ... and under the plot's hairline
+
+    SliceGrip grip() const { return held != SliceGrip::None ? held : under_pointer; }
 };
 
 struct LabState {

@@ -7,7 +7,7 @@
 #include <glm/common.hpp>
 
 #include "app/inspector/overlay.h"
-#include "app/labs/slice_window.h"
+#include "app/labs/slice_overlay.h"
 #include "app/panels/curve_view.h"
 #include "app/panels/field_header.h"
 #include "app/panels/lane_tile.h"
@@ -113,6 +113,7 @@ void draw_wipe_line(const Theme& theme, const FieldPlacement& place, ImDrawList&
 /// A ring where the brush is, on the tile under the pointer, and fainter at the same place of the others.
 void draw_brush(const PanelContext& context, const FieldPlacement& place, ImDrawList& list) {
     const ImGuiIO& io = ImGui::GetIO();
+    if (context.view.labs.slice.grip() != SliceGrip::None) return;
     const FieldTile* under = place.at(static_cast<double>(io.MousePos.x), static_cast<double>(io.MousePos.y));
     if (under == nullptr || context.view.labs.inspector.open) return;
     const WorldPoint at =

@@ -113,6 +113,7 @@ void Workbench::act_on(const InputEvent& event) {
     if (event.kind == Kind::Character && ImGui::GetIO().WantTextInput) return;
     if (view_.tour_in_sight(files_) && !ImGui::GetIO().WantTextInput && view_.tour.take(event)) return;
     if (view_tool_.take(event, place_, view_)) return;
+    if (slice_tool_.take(event, place_, remote_.session(), window_.theme().scale, view_.labs.slice)) return;
     if (inspect_tool_.take(event, place_, remote_, view_)) return;
     if (lessons_.take(event, remote_, view_)) return;
     switch (event.kind) {

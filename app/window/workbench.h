@@ -13,6 +13,7 @@
 #include "app/window/frame_clock.h"
 #include "app/window/glfw_window.h"
 #include "app/window/inspect_tool.h"
+#include "app/window/slice_tool.h"
 #include "app/window/view_tool.h"
 
 namespace whorl::app {
@@ -49,6 +50,7 @@ class Workbench {
     HoverHelp help_;
     BrushTool brush_;
     ViewTool view_tool_;
+    SliceTool slice_tool_;
     InspectTool inspect_tool_;
     FieldPlacement place_;
     Slabs slabs_;
