@@ -132,6 +132,8 @@ Arguments parse_arguments(int argc, char** argv) {
     run_verb->add_option("--fps", run.fps, "frames of the film a second")
         ->type_name("N")
         ->check(CLI::Range(1, 240));
+    run_verb->add_flag("--limiters", run.limiters,
+                       "count in --csv the nodes that limiters change in each step");
     run_verb->add_flag("--digest", run.digest, "print a number made from every bit of the fields");
     add_threads(*run_verb, run.threads);
 

@@ -42,6 +42,7 @@ struct RunArguments {
     std::string animate;               ///< film; empty for none
     int every = 2, fps = 30;           ///< steps a frame, frames a second
     bool digest = false;
+    bool limiters = false;  ///< rows count the nodes that limiters change
     DrawArguments draw;
     int threads = 0;
 };

@@ -89,7 +89,8 @@ int run_compare(const CompareArguments& arguments) {
                 progress.at(session.step_number());
             }
             SessionSnapshot& row = rows.emplace_back();
-            take_snapshot(session, rows.size() > 1 ? rows[rows.size() - 2] : row, pool, row);
+            take_shown(session, view(arguments.draw.view), rows.size() > 1 ? rows[rows.size() - 2] : row,
+                       pool, row);
             if (csv) write_rows(*csv, row, viscosities);
         }
     }

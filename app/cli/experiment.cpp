@@ -54,7 +54,7 @@ int run_experiment(const ExperimentArguments& arguments) {
     if (csv) csv->finish();
     if (drawing) {
         SessionSnapshot last;
-        take_snapshot(session, last, pool, last);
+        take_shown(session, view(arguments.draw.view), last, pool, last);
         write_picture(arguments.picture, drawing->draw({&last, 1}), session.recording());
     }
     return 0;

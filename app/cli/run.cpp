@@ -21,8 +21,11 @@ namespace {
 /// A row a step, or with several lanes a row a step and lane.
 class Rows {
   public:
-    Rows(const std::string& file, const Setup& setup)
-        : names_(titles(setup)), series_(file, std::string(names_.size() > 1 ? "lane," : "") + columns) {}
+    Rows(const std::string& file, const Setup& setup, bool limited)
+        : names_(titles(setup)),
+          limited_(limited),
+          series_(file, std::string(names_.size() > 1 ? "lane," : "") + columns +
+                            (limited ? ",limited_density,limited_velocity" : "")) {}
     void add(const Session& session) {
         for (std::size_t k = 0; k < session.lane_count(); ++k) {
             const Measures& m = session.measures(k);
@@ -33,11 +36,14 @@ class Rows {
                                   m.enstrophy,
                                   m.divergence_after,
                                   m.min_density,
-                                  m.max_density};
+                                  m.max_density,
+                                  m.limited.density,
+                                  m.limited.velocity};
+            const std::span<const double> shown = std::span(row).first(std::size(row) - (limited_ ? 0 : 2));
             if (names_.size() > 1) {
-                series_.row(k < names_.size() ? names_[k] : std::to_string(k + 1), row);
+                series_.row(k < names_.size() ? names_[k] : std::to_string(k + 1), shown);
             } else {
-                series_.row(row);
+                series_.row(shown);
             }
         }
     }
@@ -47,6 +53,7 @@ class Rows {
     static constexpr const char* columns =
         "step,time,density_percent,kinetic_energy,enstrophy,max_divergence,min,max";
     std::vector<std::string> names_;
+    bool limited_;
     Series series_;
 };
 
@@ -94,10 +101,11 @@ class Filming {
         : film_(arguments.animate, arguments.fps),
           every_(arguments.every),
           pool_(pool),
-          drawing_(arguments.draw) {}
-    void add(const Session& session) {
+          drawing_(arguments.draw),
+          view_(view(arguments.draw.view)) {}
+    void add(Session& session) {
         if (session.step_number() % every_ != 0) return;
-        take_snapshot(session, snapshot_, pool_, snapshot_);
+        take_shown(session, view_, snapshot_, pool_, snapshot_);
         const Range now = drawing_.span(snapshot_);
         seen_ = seen_ ? Range{std::min(seen_->lo, now.lo), std::max(seen_->hi, now.hi)} : now;
         film_.add(drawing_.draw({&snapshot_, 1}, seen_));
@@ -109,6 +117,7 @@ class Filming {
     int every_;
     Pool& pool_;
     Drawing drawing_;
+    const View& view_;
     SessionSnapshot snapshot_;
     std::optional<Range> seen_;
 };
@@ -120,6 +129,8 @@ void check(const RunArguments& a) {
         throw InputError("--view, --map and --difference are of the picture; give --picture FILE.png too");
     if (!a.save.empty() && !a.save.ends_with(".toml"))
         throw InputError("--save = " + a.save + ": runs are TOML; give a name that ends in .toml");
+    if (a.limiters && a.csv.empty())
+        throw InputError("--limiters adds to the rows of --csv; give --csv FILE too");
     for (const std::string& file : {a.csv, a.timing, a.save}) {
         if (!file.empty() && file != "-") check_writable(file);
     }
@@ -181,7 +192,8 @@ int run_scene(const RunArguments& arguments) {
     std::optional<Filming> film;
     if (!arguments.animate.empty()) film.emplace(arguments, pool);
     std::optional<Rows> csv;
-    if (!arguments.csv.empty()) csv.emplace(arguments.csv, recording.setup);
+    if (!arguments.csv.empty()) csv.emplace(arguments.csv, recording.setup, arguments.limiters);
+    session.watch_limiters(csv && arguments.limiters);
     Timing timing(steps);
     {
         Progress progress(arguments.scene, steps);
@@ -210,7 +222,7 @@ int run_scene(const RunArguments& arguments) {
     }
     if (drawing) {
         SessionSnapshot last;
-        take_snapshot(session, last, pool, last);
+        take_shown(session, view(arguments.draw.view), last, pool, last);
         write_picture(arguments.picture, drawing->draw({&last, 1}), done);
     }
     if (arguments.csv.empty() && arguments.timing.empty()) say_summary(arguments.scene, session);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/inspector/inspector.h"
 #include "app/labs/slice.h"
 #include "app/plot/plot.h"
 #include "core/advection/stencil.h"
@@ -53,12 +54,20 @@ struct SliceLab {
     ShownInterpolations shown = all_interpolations();
     bool clamped = false;
     FilledFields fields;
+    FilledFields exact;                         ///< solutions, by the lane that knows them
+    SliceGrip held = SliceGrip::None;           ///< what the pointer drags
+    SliceGrip under_pointer = SliceGrip::None;  ///< what it would drag
+    std::optional<double> pointed_on_field;     ///< the part of the line under the pointer, 0 to 1 ...
+    std::optional<double> pointed_in_plot;      ///< ... and under the plot's hairline
+
+    SliceGrip grip() const { return held != SliceGrip::None ? held : under_pointer; }
 };
 
 struct LabState {
     InterpolationLab interpolation;
     StencilLab stencil;
     SliceLab slice;
+    Inspector inspector;
     bool under_pointer = false;  ///< a lab's window is: the field below takes no strokes
 };
 

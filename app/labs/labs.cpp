@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "app/inspector/inspector_window.h"
 #include "app/labs/interpolation_lab.h"
 #include "app/labs/slice_window.h"
 #include "app/labs/stencil_lab.h"
@@ -11,20 +12,38 @@
 namespace whorl::app {
 namespace {
 
-/// Begins a lab's window inside the screen, a little off those before.
-bool begin(const Theme& theme, const LabInfo& lab, int place, bool& open) {
+/// A window's place and size, pixels.
+struct Bounds {
+    ImVec2 low, size;
+};
+
+/// Inside the screen, a little off the labs that are open already.
+Bounds bounds_of(const PanelContext& context, const LabInfo& lab, int before) {
+    using Place = LabInfo::Place;
+    constexpr float column = 0.33f;  // of the screen's width
+    const Theme& theme = context.theme;
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const float margin = theme.px(8);
     const ImVec2 most{screen.x - 2 * margin, screen.y - 2 * margin};
-    const ImVec2 size{std::min(theme.px(lab.width), most.x), std::min(theme.px(lab.height), most.y)};
-    const float off = theme.px(18) * static_cast<float>(place);
-    ImGui::SetNextWindowSize(size, ImGuiCond_Appearing);
-    ImGui::SetNextWindowPos(
-        {std::floor(std::clamp(0.5f * (screen.x - size.x) + off, margin, margin + most.x - size.x)),
-         std::floor(std::clamp(lab.down * (screen.y - size.y) + off, margin, margin + most.y - size.y))},
-        ImGuiCond_Appearing);
-    ImGui::SetNextWindowSizeConstraints({std::min(theme.px(440), most.x), std::min(theme.px(300), most.y)},
-                                        most);
+    const bool side = lab.place == Place::Side;
+    const ImVec2 size{std::floor(std::min(theme.px(lab.width), side ? column * screen.x : most.x)),
+                      side ? most.y : std::min(theme.px(lab.height), most.y)};
+    const float across = !side ? 0.5f : context.view.lessons ? 0 : 1;
+    const float down = lab.place == Place::Bottom ? 1 : 0.5f;
+    const float off = side ? 0 : theme.px(18) * static_cast<float>(before);
+    return {{std::floor(std::clamp(across * (screen.x - size.x) + off, margin, margin + most.x - size.x)),
+             std::floor(std::clamp(down * (screen.y - size.y) + off, margin, margin + most.y - size.y))},
+            size};
+}
+
+bool begin(const PanelContext& context, const LabInfo& lab, int before, bool& open) {
+    const Theme& theme = context.theme;
+    const Bounds bounds = bounds_of(context, lab, before);
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowSize(bounds.size, ImGuiCond_Appearing);
+    ImGui::SetNextWindowPos(bounds.low, ImGuiCond_Appearing);
+    ImGui::SetNextWindowSizeConstraints(
+        {std::min(theme.px(440), bounds.size.x), std::min(theme.px(300), bounds.size.y)}, screen);
     return ImGui::Begin(
         lab.label, &open,
         ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoNav);
@@ -37,13 +56,18 @@ std::span<const LabInfo> labs() {
         {"interpolation", "Interpolation lab",
          "Data points to drag, every interpolation between them, and whether its slopes keep it monotone.",
          "thesis fig. 3.5, 3.6", [](LabState& s) -> bool& { return s.interpolation.open; },
-         draw_interpolation_lab, 980, 700, 0.5f},
+         draw_interpolation_lab, 980, 700, LabInfo::Place::Middle},
         {"stencil", "Stencil lab", "The particles that ASLAM traces for a node, and how much each counts.",
          "thesis fig. 4.2, 4.3, table 4.1", [](LabState& s) -> bool& { return s.stencil.open; },
-         draw_stencil_lab, 920, 560, 0.5f},
+         draw_stencil_lab, 920, 560, LabInfo::Place::Middle},
         {"slice", "Slice",
          "What is shown, along a line through the field: overshoot, flattening and lag as curves.", "",
-         [](LabState& s) -> bool& { return s.slice.open; }, draw_slice_window, 760, 400, 1},
+         [](LabState& s) -> bool& { return s.slice.open; }, draw_slice_window, 760, 400,
+         LabInfo::Place::Bottom},
+        {"inspector", "Inspector",
+         "Click a cell to see where its value came from: the sum behind it, with its numbers. Key: I", "",
+         [](LabState& s) -> bool& { return s.inspector.open; }, draw_inspector_window, 380, 0,
+         LabInfo::Place::Side},
     };
     return table;
 }
@@ -51,11 +75,11 @@ std::span<const LabInfo> labs() {
 void draw_labs(PanelContext& context) {
     LabState& state = context.view.labs;
     state.under_pointer = false;
-    int place = 0;
+    int before = 0;
     for (const LabInfo& lab : labs()) {
         bool& open = lab.open(state);
         if (!open) continue;
-        if (begin(context.theme, lab, place++, open)) {
+        if (begin(context, lab, before++, open)) {
             context.trace.control("lab-window=" + std::string(lab.key));
             lab.draw(context);
         }

@@ -19,8 +19,10 @@ struct LabInfo {
     const char* source;
     bool& (*open)(LabState&);
     void (*draw)(PanelContext&);
-    float width, height;  ///< at first, points
-    float down;           ///< where it lies at first: 0.5 in the middle of the screen, 1 at its lower edge
+    float width, height;  ///< at first and at most, points
+    /// Where it lies at first: over the middle of the screen, at its lower edge, or over a whole column at
+    /// the right, at the left while a lesson is read there.
+    enum class Place { Middle, Bottom, Side } place;
 };
 /// All labs.
 std::span<const LabInfo> labs();

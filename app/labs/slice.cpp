@@ -2,34 +2,64 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "app/labs/between.h"
 
 namespace whorl::app {
-
-int SliceLine::index(const Grid& grid) const {
-    const int rows = vertical ? grid.nx : grid.ny;
-    return std::clamp(static_cast<int>(place * rows), 0, rows - 1);
-}
-
 namespace {
 
-bool solid(const Snapshot& lane, const SliceLine& line, int k) {
-    const int across = line.index(lane.grid);
-    const int i = line.vertical ? across : k;
-    const int j = line.vertical ? k : across;
-    return lane.solids[static_cast<std::size_t>(j) * lane.grid.nx + i] != 0;
+// Cells: farther than rounding, and far nearer than anyone sees.
+constexpr double same_place = 1e-6;
+
+struct Crossing {
+    double along;   ///< cells from the line's first end
+    glm::dvec2 at;  ///< in samples
+};
+
+/// The line's ends, and where it crosses rows and columns of centres, in order.
+std::vector<Crossing> crossings(const GridLine& line) {
+    const glm::dvec2 way = line.to - line.from;
+    const double length = line.cells();
+    std::vector<Crossing> found{{0, line.from}, {length, line.to}};
+    for (const int axis : {0, 1}) {
+        if (way[axis] == 0) continue;
+        const auto [low, high] = std::minmax(line.from[axis], line.to[axis]);
+        for (double sample = std::ceil(low); sample <= high; ++sample) {
+            const double part = (sample - line.from[axis]) / way[axis];
+            glm::dvec2 at = line.at(part);
+            at[axis] = sample;
+            found.push_back({part * length, at});
+        }
+    }
+    std::sort(found.begin(), found.end(),
+              [](const Crossing& a, const Crossing& b) { return a.along < b.along; });
+    const auto same = [](const Crossing& a, const Crossing& b) { return b.along - a.along < same_place; };
+    found.erase(std::unique(found.begin(), found.end(), same), found.end());
+    return found;
+}
+
+/// The cell that holds a point.
+glm::ivec2 cell_at(const Grid& grid, glm::dvec2 at) {
+    return glm::clamp(glm::ivec2(glm::floor(at + 0.5)), glm::ivec2(0), glm::ivec2(grid.nx - 1, grid.ny - 1));
+}
+
+bool solid(const Snapshot& lane, glm::ivec2 cell) {
+    return lane.solids[static_cast<std::size_t>(cell.y) * lane.grid.nx + cell.x] != 0;
 }
 
 }  // namespace
 
 SliceCurve cells_along(const Field& field, const Snapshot& lane, const SliceLine& line) {
     SliceCurve curve;
-    const int across = line.index(lane.grid);
-    for (int k = 0; k < line.count(lane.grid); ++k) {
-        const Real value = line.vertical ? field(across, k) : field(k, across);
-        curve.x.push_back(static_cast<float>((k + 0.5) * lane.grid.h));
-        curve.y.push_back(solid(lane, line, k) ? NAN : static_cast<float>(value));
+    const GridLine placed = place_line(line, lane.grid);
+    if (placed.from.x != placed.to.x && placed.from.y != placed.to.y) return curve;
+    for (const Crossing& crossing : crossings(placed)) {
+        const glm::ivec2 cell = cell_at(lane.grid, crossing.at);
+        if (glm::distance(glm::dvec2(cell), crossing.at) > same_place) continue;
+        curve.x.push_back(static_cast<float>(crossing.along * lane.grid.h));
+        curve.y.push_back(solid(lane, cell) ? NAN : static_cast<float>(field(cell.x, cell.y)));
     }
     return curve;
 }
@@ -37,18 +67,27 @@ SliceCurve cells_along(const Field& field, const Snapshot& lane, const SliceLine
 SliceCurve curve_along(const Field& field, const Snapshot& lane, const SliceLine& line,
                        const SchemeSet& schemes, int per_cell) {
     SliceCurve curve;
-    const auto across = static_cast<double>(line.index(lane.grid));
-    const int last = (line.count(lane.grid) - 1) * per_cell;
     std::vector<glm::dvec2> places;
-    for (int m = 0; m <= last; ++m) {
-        const double along = static_cast<double>(m) / per_cell;
-        places.emplace_back(line.vertical ? across : along, line.vertical ? along : across);
-        curve.x.push_back(static_cast<float>((along + 0.5) * lane.grid.h));
+    const auto add = [&](double along, glm::dvec2 at) {
+        curve.x.push_back(static_cast<float>(along * lane.grid.h));
+        places.push_back(at);
+    };
+    const std::vector<Crossing> all = crossings(place_line(line, lane.grid));
+    add(all.front().along, all.front().at);
+    for (std::size_t k = 1; k < all.size(); ++k) {
+        const Crossing& a = all[k - 1];
+        const Crossing& b = all[k];
+        const int count = static_cast<int>(std::ceil((b.along - a.along - same_place) * per_cell));
+        for (int m = 1; m < count; ++m) {
+            const double part = static_cast<double>(m) / count;
+            add(a.along + part * (b.along - a.along), a.at + part * (b.at - a.at));
+        }
+        add(b.along, b.at);
     }
     curve.y.resize(places.size());
     sample_between(field, schemes, lane.periodic, places, curve.y);
-    for (int m = 0; m <= last; ++m) {
-        if (solid(lane, line, (m + per_cell / 2) / per_cell)) curve.y[static_cast<std::size_t>(m)] = NAN;
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        if (solid(lane, cell_at(lane.grid, places[k]))) curve.y[k] = NAN;
     }
     return curve;
 }

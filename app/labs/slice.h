@@ -1,40 +1,30 @@
-// A line through the domain, and what a field is along it.
+// What a field is along a line through it.
 #pragma once
 
-#include <glm/vec2.hpp>
-#include <span>
 #include <vector>
 
+#include "app/labs/slice_line.h"
 #include "core/grid/boundary.h"
 #include "core/session/snapshot.h"
 
 namespace whorl::app {
 
-/// A row or a column of cells: the one that holds `place`, a part of the domain's height or width.
-struct SliceLine {
-    bool vertical = false;
-    double place = 0.5;  ///< 0 to 1
-
-    /// The row or column in a grid.
-    int index(const Grid& grid) const;
-    /// Number of cells along it.
-    int count(const Grid& grid) const { return vertical ? grid.ny : grid.nx; }
-    bool operator==(const SliceLine&) const = default;
-};
-
 /// Samples along a line; NaN in solid cells.
 struct SliceCurve {
-    std::vector<float> x;  ///< from the domain's edge, length
+    std::vector<float> x;  ///< along the line from its first end, length
     std::vector<float> y;  ///< unit of the field
 };
 
-/// The values of the line's cells at their centres.
+/// The values of the cells whose centres lie along a horizontal or vertical line. An oblique one has none: it
+/// meets few, and by chance.
 /// @param field at the centres of `lane`
 SliceCurve cells_along(const Field& field, const Snapshot& lane, const SliceLine& line);
 
-/// What the solver's own interpolation makes of a field between the line's cells, `per_cell` samples each.
-/// @param field   at the centres of `lane`, ghosts filled
-/// @param schemes its interpolation, clamping and axis order are used
+/// What the solver's own interpolation makes of a field along the line. Where the line passes between two
+/// rows or columns of centres, and the interpolation may have a kink, lies a sample.
+/// @param field    at the centres of `lane`, ghosts filled
+/// @param schemes  its interpolation, clamping and axis order are used
+/// @param per_cell samples to a cell's length at least
 SliceCurve curve_along(const Field& field, const Snapshot& lane, const SliceLine& line,
                        const SchemeSet& schemes, int per_cell);
 

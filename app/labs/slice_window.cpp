@@ -9,6 +9,7 @@
 #include "app/labs/lab_widgets.h"
 #include "app/panels/field_header.h"
 #include "app/panels/widgets.h"
+#include "app/render/text.h"
 
 namespace whorl::app {
 namespace {
@@ -23,8 +24,8 @@ struct Drawn {
 };
 
 /// Enough samples to look smooth, and no more than a screen shows.
-int samples_per_cell(int cells) {
-    return std::clamp(1200 / cells, 2, 24);
+int samples_per_cell(double cells) {
+    return static_cast<int>(std::clamp(1200 / cells, 2.0, 24.0));
 }
 
 Drawn drawn(const PanelContext& context, SliceLab& lab, std::size_t lane, const SchemeSet& schemes) {
@@ -32,8 +33,8 @@ Drawn drawn(const PanelContext& context, SliceLab& lab, std::size_t lane, const 
     const Field& field = *context.fields.of(lane);
     const Field& filled = lab.fields.of(lane, snapshot, field, context.fields.version());
     Drawn made;
-    made.curve =
-        curve_along(filled, snapshot, lab.line, schemes, samples_per_cell(lab.line.count(snapshot.grid)));
+    made.curve = curve_along(filled, snapshot, lab.line, schemes,
+                             samples_per_cell(place_line(lab.line, snapshot.grid).cells()));
     made.cells = cells_along(field, snapshot, lab.line);
     return made;
 }
@@ -67,47 +68,84 @@ void add_interpolations(const PanelContext& context, SliceLab& lab, std::vector<
     }
 }
 
-void line_controls(PanelContext& context, SliceLab& lab) {
-    const Theme& theme = context.theme;
-    const Grid& grid = context.snapshot().grid;
-    const bool flat = grid.dimensions() == 1;
-    if (flat) lab.line.vertical = false;
-    const float width = chip_width(4);
+/// The selected lane by the exact solution, straight between the cells that it is known at.
+void add_exact(const PanelContext& context, SliceLab& lab, std::vector<Drawn>& all) {
+    const Snapshot& selected = context.snapshot();
+    if (!selected.has_exact || &context.fields.view() != &views().front() || context.fields.difference())
+        return;
+    const Field& filled =
+        lab.exact.of(context.remote.selected(), selected, selected.exact, context.fields.version());
+    SchemeSet straight;
+    straight.interpolation = Interpolations::of<Linear>();
+    Drawn exact{.label = "exact", .colour = context.theme.palette.text, .exact = true};
+    exact.curve = curve_along(filled, selected, lab.line, straight,
+                              samples_per_cell(place_line(lab.line, selected.grid).cells()));
+    all.push_back(std::move(exact));
+}
+
+void line_chips(PanelContext& context, SliceLab& lab, bool flat) {
+    const float width = std::max(std::floor(0.7f * chip_width(6)), context.theme.px(64));
+    const char* warning = flat ? "A one-dimensional run is a line already." : "";
     ImGui::BeginDisabled(flat);
-    for (const bool vertical : {false, true}) {
-        const char* warning = flat ? "A one-dimensional run has one row." : "";
-        if (lab_chip(context, vertical ? "slice=vertical" : "slice=horizontal",
-                     {vertical ? "Vertical" : "Horizontal", "A column or a row of cells to look along.", "",
-                      "", warning},
-                     lab.line.vertical == vertical, std::floor(0.7f * width), !vertical))
-            lab.line.vertical = vertical;
-    }
-    ImGui::SameLine();
-    ImGui::AlignTextToFramePadding();
-    text(theme.palette.text_dim, lab.line.vertical ? "at x" : "at y");
-    ImGui::SameLine();
-    ImGui::SetNextItemWidth(std::floor(0.9f * width));
-    const double most = lab.line.vertical ? grid.width() : grid.height();
-    double at = lab.line.place * most;
-    if (slider(theme, "##slice-place", at, {0, most}, "", "%.2f"))
-        lab.line.place = std::clamp(at / most, 0.0, 1.0);
-    context.trace.control("slice-place");
-    context.help.item(theme, "slice-place",
-                      {"Where the line lies", "Every lane shows the cells that hold it, at their centres.",
-                       "length units", "", ""});
+    if (lab_chip(context, "slice=row",
+                 {"Row", "Lays the line along the middle row of cells.",
+                  "Drag its ends, or all of it, on the field", "", warning},
+                 flat || lab.line.horizontal(), width, true))
+        lab.line = SliceLine::row();
+    if (lab_chip(context, "slice=column",
+                 {"Column", "Lays the line along the middle column of cells.",
+                  "Drag its ends, or all of it, on the field", "", warning},
+                 !flat && lab.line.vertical(), width, false))
+        lab.line = SliceLine::column();
     ImGui::EndDisabled();
-    ImGui::SameLine();
-    const float half =
-        std::floor(0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x));
+}
+
+void subject_chips(PanelContext& context, SliceLab& lab, float width) {
     if (lab_chip(context, "slice=lanes",
                  {"Lanes", "Every lane in its colour, by its own interpolation.", "", "", ""},
-                 !lab.compares_interpolations, half, true))
+                 !lab.compares_interpolations, width, true))
         lab.compares_interpolations = false;
     if (lab_chip(context, "slice=interpolations",
                  {"Interpolations", "The selected lane's cells by every interpolation chosen below.", "",
                   "thesis sec. 3.1, app. A", ""},
-                 lab.compares_interpolations, half, false))
+                 lab.compares_interpolations, width, false))
         lab.compares_interpolations = true;
+}
+
+std::string ends_text(WorldPoint from, WorldPoint to) {
+    char line[96];
+    std::snprintf(line, sizeof line, "(%.2f, %.2f) to (%.2f, %.2f)", from.x, from.y, to.x, to.y);
+    return line;
+}
+
+void ends_readout(PanelContext& context, const SliceLab& lab) {
+    const Theme& theme = context.theme;
+    const GridLine line = place_line(lab.line, context.snapshot().grid);
+    ImGui::PushFont(theme.mono);
+    ImGui::AlignTextToFramePadding();
+    text(theme.palette.text_dim, ends_text(line.world(0), line.world(1)));
+    ImGui::PopFont();
+    context.trace.control("slice-ends");
+    context.help.item(theme, "slice-ends",
+                      {"The line's ends", "From the full disc on the field to the hollow one.",
+                       "x and y in length units from the lower left corner", "", ""});
+}
+
+void line_controls(PanelContext& context, SliceLab& lab) {
+    const Theme& theme = context.theme;
+    const Grid& grid = context.snapshot().grid;
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    const float subject = std::max(chip_width(5), theme.px(100));
+    const float right = ImGui::GetContentRegionMax().x - 2 * subject - std::floor(0.5f * gap);
+    line_chips(context, lab, grid.dimensions() == 1);
+    ImGui::SameLine();
+    const WorldPoint corner{grid.width(), grid.height()};
+    const float longest = text_width(*theme.mono, ends_text(corner, corner));
+    const bool beside = longest + gap <= right - ImGui::GetCursorPosX();
+    if (beside) ends_readout(context, lab);
+    ImGui::SameLine(right);
+    subject_chips(context, lab, subject);
+    if (!beside) ends_readout(context, lab);
 }
 
 void interpolation_controls(PanelContext& context, SliceLab& lab) {
@@ -137,31 +175,9 @@ std::optional<double> value_at(const SliceCurve& curve, double x) {
     return static_cast<double>(curve.y[k]);
 }
 
-void slice_plot(PanelContext& context, const SliceLab& lab, const std::vector<Drawn>& all, float height) {
-    const Theme& theme = context.theme;
-    const Grid& grid = context.snapshot().grid;
-    std::string title = shown_quantity(context);
-    char where[48];
-    const double across = (lab.line.index(grid) + 0.5) * grid.h;
-    std::snprintf(where, sizeof where, " at %s = %.4g", lab.line.vertical ? "x" : "y", across);
-    if (grid.dimensions() == 2) title += where;
-    std::vector<LegendEntry> legend;
-    std::vector<ValueRow> rows;
-    Extent extent;
-    for (const Drawn& one : all) {
-        if (!lab.compares_interpolations || one.exact) legend.push_back({one.label, one.colour});
-        extent.add(one.curve.y);
-        extent.add(one.cells.y);
-    }
-    Plot plot;
-    plot.title = title;
-    plot.unit = context.fields.view().unit;
-    plot.x_name = lab.line.vertical ? "y" : "x";
-    plot.size = {0, height};
-    const double length = lab.line.vertical ? grid.height() : grid.width();
-    const Canvas canvas(theme, plot, legend, {0, length}, extent.fitted());
-    context.trace.control("slice-plot");
-    if (!canvas) return;
+/// All curves, the exact ones dashed over the others, and dots at the cells where they lie apart.
+void draw_curves(const Theme& theme, const Canvas& canvas, const SliceLab& lab,
+                 const std::vector<Drawn>& all) {
     for (std::size_t k = all.size(); k-- > 0;) {
         if (!all[k].exact)
             canvas.curve(all[k].curve.x, all[k].curve.y, all[k].colour, curve_thickness(theme));
@@ -178,8 +194,7 @@ void slice_plot(PanelContext& context, const SliceLab& lab, const std::vector<Dr
     }
     for (std::size_t k = all.size(); k-- > 0;) {
         const SliceCurve& cells = all[k].cells;
-        // Where they lie apart.
-        if (cells.x.size() < 2 || canvas.frame().to_x(static_cast<double>(cells.x[1])) -
+        if (cells.x.size() > 1 && canvas.frame().to_x(static_cast<double>(cells.x[1])) -
                                           canvas.frame().to_x(static_cast<double>(cells.x[0])) <
                                       theme.px(6))
             continue;
@@ -190,9 +205,45 @@ void slice_plot(PanelContext& context, const SliceLab& lab, const std::vector<Dr
                             colour);
         }
     }
+}
+
+/// The hairline, and where the curves cross it.
+void draw_pointed(const Theme& theme, const Canvas& canvas, const std::vector<Drawn>& all, double x) {
+    draw_hairline(*ImGui::GetWindowDrawList(), theme, canvas.frame(), x);
+    for (const Drawn& one : all) {
+        if (const auto value = value_at(one.curve, x)) canvas.dot(x, *value, theme.px(3), one.colour);
+    }
+}
+
+void slice_plot(PanelContext& context, SliceLab& lab, const std::vector<Drawn>& all, float height) {
+    const Theme& theme = context.theme;
+    const Grid& grid = context.snapshot().grid;
+    const bool flat = grid.dimensions() == 1;
+    const std::string title = shown_quantity(context) + (flat ? "" : " along the line");
+    std::vector<LegendEntry> legend;
+    std::vector<ValueRow> rows;
+    Extent extent;
+    for (const Drawn& one : all) {
+        if (!lab.compares_interpolations || one.exact) legend.push_back({one.label, one.colour});
+        extent.add(one.curve.y);
+        extent.add(one.cells.y);
+    }
+    Plot plot;
+    plot.title = title;
+    plot.unit = context.fields.view().unit;
+    plot.x_name = flat ? "x" : "distance";
+    plot.size = {0, height};
+    const double length = place_line(lab.line, grid).length();
+    const Canvas canvas(theme, plot, legend, {0, length}, extent.fitted());
+    context.trace.control("slice-plot");
+    lab.pointed_in_plot.reset();
+    if (!canvas) return;
+    draw_curves(theme, canvas, lab, all);
+    if (lab.pointed_on_field) draw_pointed(theme, canvas, all, *lab.pointed_on_field * length);
     if (!canvas.hovered()) return;
     const double x = canvas.pointer_x();
-    draw_hairline(*ImGui::GetWindowDrawList(), theme, canvas.frame(), x);
+    lab.pointed_in_plot = x / length;
+    draw_pointed(theme, canvas, all, x);
     for (const Drawn& one : all) rows.push_back({one.label, one.colour, value_at(one.curve, x)});
     canvas.values(x, rows);
 }
@@ -209,33 +260,8 @@ void draw_slice_window(PanelContext& context) {
     } else {
         add_lanes(context, lab, all);
     }
-    const Snapshot& selected = context.snapshot();
-    if (selected.has_exact && &context.fields.view() == &views().front() && !context.fields.difference())
-        all.push_back(
-            {"exact", context.theme.palette.text, cells_along(selected.exact, selected, lab.line), {}, true});
+    add_exact(context, lab, all);
     slice_plot(context, lab, all, std::max(ImGui::GetContentRegionAvail().y, context.theme.px(140)));
-}
-
-void draw_slice_line(const PanelContext& context, const FieldPlacement& place, ImDrawList& list) {
-    const SliceLab& lab = context.view.labs.slice;
-    if (!lab.open) return;
-    const Theme& theme = context.theme;
-    for (const FieldTile& tile : place.tiles) {
-        const Grid& grid = context.remote.session().lanes[tile.lane].grid;
-        const double at = (lab.line.index(grid) + 0.5) * grid.h;
-        const glm::dvec2 from = place.pixel(tile, lab.line.vertical ? WorldPoint{at, 0} : WorldPoint{0, at});
-        const glm::dvec2 to =
-            place.pixel(tile, lab.line.vertical ? WorldPoint{at, tile.height} : WorldPoint{tile.width, at});
-        const ImVec2 low{static_cast<float>(from.x), static_cast<float>(from.y)};
-        const ImVec2 high{static_cast<float>(to.x), static_cast<float>(to.y)};
-        list.PushClipRect({static_cast<float>(tile.part.x), static_cast<float>(tile.part.y)},
-                          {static_cast<float>(tile.part.x + tile.part.width),
-                           static_cast<float>(tile.part.y + tile.part.height)},
-                          true);
-        list.AddLine(low, high, IM_COL32(0, 0, 0, 140), theme.px(3));
-        list.AddLine(low, high, faded(theme.palette.text, 0.8f), theme.px(1));
-        list.PopClipRect();
-    }
 }
 
 }  // namespace whorl::app

@@ -66,7 +66,7 @@ SessionSnapshot LessonRun::look(const LessonStep& step) {
     if (session_->step_number() > step.recording.step) session_->rewind(step.recording.step);
     run_to(step.recording.step);
     SessionSnapshot snapshot;
-    take_snapshot(*session_, snapshot, pool_, snapshot);
+    take_shown(*session_, *step.view, snapshot, pool_, snapshot);
     return snapshot;
 }
 

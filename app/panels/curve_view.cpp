@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "app/inspector/overlay.h"
 #include "app/panels/field_header.h"
 #include "app/plot/plot.h"
 
@@ -73,7 +74,13 @@ void draw_curve_view(PanelContext& context, ImVec2 size) {
         plot.y_range = steady_scale(curves, static_cast<double>(ends.hi));
     }
     plot.size = size;
-    draw_plot(theme, plot, series);
+    const std::vector<PlotMark> marks = inspected_marks(context);
+    plot.marks = marks;
+    const std::optional<double> x = draw_plot(theme, plot, series);
+    Inspector& inspector = context.view.labs.inspector;
+    if (!x) return;
+    if (inspector.open && ImGui::IsMouseDown(ImGuiMouseButton_Left))
+        inspector.pick({*x, 0.5 * selected.grid.h});
 }
 
 }  // namespace whorl::app

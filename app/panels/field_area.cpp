@@ -6,7 +6,8 @@
 #include <cmath>
 #include <glm/common.hpp>
 
-#include "app/labs/slice_window.h"
+#include "app/inspector/overlay.h"
+#include "app/labs/slice_overlay.h"
 #include "app/panels/curve_view.h"
 #include "app/panels/field_header.h"
 #include "app/panels/lane_tile.h"
@@ -112,8 +113,9 @@ void draw_wipe_line(const Theme& theme, const FieldPlacement& place, ImDrawList&
 /// A ring where the brush is, on the tile under the pointer, and fainter at the same place of the others.
 void draw_brush(const PanelContext& context, const FieldPlacement& place, ImDrawList& list) {
     const ImGuiIO& io = ImGui::GetIO();
+    if (context.view.labs.slice.grip() != SliceGrip::None) return;
     const FieldTile* under = place.at(static_cast<double>(io.MousePos.x), static_cast<double>(io.MousePos.y));
-    if (under == nullptr) return;
+    if (under == nullptr || context.view.labs.inspector.open) return;
     const WorldPoint at =
         place.world(*under, static_cast<double>(io.MousePos.x), static_cast<double>(io.MousePos.y));
     const double shown = static_cast<double>(place.window.high.x - place.window.low.x);
@@ -240,6 +242,7 @@ void draw_fields(PanelContext& context, const FieldPlacement& place, const Pixel
                     {static_cast<float>(all.x), static_cast<float>(all.y + all.height) + theme.px(14)},
                     static_cast<float>(all.width));
     draw_slice_line(context, place, list);
+    draw_inspected(context, place, list);
     draw_brush(context, place, list);
     if (place.wipe) draw_wipe_line(theme, place, list);
 }

@@ -13,7 +13,10 @@ namespace whorl::app {
 namespace {
 
 /// What to do with the field, from all of it to what fits a narrow window.
-const char* hints(const Snapshot& s, float width) {
+const char* hints(const Snapshot& s, bool inspects, float width) {
+    constexpr const char* inspecting[] = {
+        "Click a cell to see the sum behind it  ·  wheel goes closer  ·  0 shows all  ·  I ends it",
+        "Click a cell  ·  wheel goes closer  ·  I ends it", "Click a cell  ·  I ends it", "Click a cell"};
     constexpr const char* flat[] = {"Space pauses  ·  . steps  ·  R resets  ·  F12 picture  ·  H keys",
                                     "Space pauses  ·  H keys", "H keys"};
     constexpr const char* all_of_plane =
@@ -24,8 +27,11 @@ const char* hints(const Snapshot& s, float width) {
         "Drag to inject smoke  ·  right-drag to push  ·  Space pauses  ·  F12 picture  ·  H keys",
         "Drag to inject smoke  ·  right-drag to push  ·  H keys", "Drag to inject smoke  ·  H keys",
         "H keys"};
-    const std::span<const char* const> all =
-        s.grid.dimensions() == 1 ? std::span<const char* const>(flat) : plane;
+    std::span<const char* const> all = plane;
+    const bool is_flat = s.grid.dimensions() == 1;
+    if (is_flat) all = flat;
+    // Curves have no zoom.
+    if (inspects) all = std::span<const char* const>(inspecting).subspan(is_flat ? 2 : 0);
     for (const char* line : all) {
         if (ImGui::CalcTextSize(line).x <= width) return line;
     }
@@ -164,12 +170,13 @@ void draw_field_header(PanelContext& context, const FieldPlacement& place, ImVec
     }
     const float line = corner.y + theme.title->FontSize + theme.px(6);
     const float right = corner.x + width;
+    const bool inspecting = context.view.labs.inspector.open;
     const float left = draw_chips(context, place, right, line);
     if (context.names.size() == 1) {
         ImGui::SetCursorScreenPos({corner.x, line});
-        text(theme.palette.text_dim, hints(context.snapshot(), left - corner.x - theme.px(8)));
+        text(theme.palette.text_dim, hints(context.snapshot(), inspecting, left - corner.x - theme.px(8)));
     } else if (!reads) {  // the line below is the lanes'
-        const char* const hint = hints(context.snapshot(), right - title_end);
+        const char* const hint = hints(context.snapshot(), inspecting, right - title_end);
         ImGui::SetCursorScreenPos({right - ImGui::CalcTextSize(hint).x, corner.y + theme.px(4)});
         text(theme.palette.text_dim, hint);
     }

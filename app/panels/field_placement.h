@@ -38,6 +38,13 @@ struct FieldPlacement {
         }
         return nullptr;
     }
+    /// A lane's tile, if it is on screen.
+    const FieldTile* of(std::size_t lane) const {
+        for (const FieldTile& tile : tiles) {
+            if (tile.lane == lane) return &tile;
+        }
+        return nullptr;
+    }
     /// A pixel's place in the window, as fractions of its sides from the lower left corner.
     static glm::dvec2 part(const FieldTile& tile, double x, double y) {
         return {(x - tile.rect.x) / tile.rect.width, 1 - (y - tile.rect.y) / tile.rect.height};

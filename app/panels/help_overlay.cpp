@@ -36,6 +36,7 @@ constexpr Row keys[] = {
     {"Tab", "hold: the other lane, where one is shown"},
     {"Ctrl+O", "open a scene, a run or a picture"},
     {"Ctrl+S", "save the run"},
+    {"I", "inspector: click a cell; Shift+arrow goes on"},
     {"L", "lessons; Page Up and Down turn their steps"},
     {"F12", "picture as PNG, which carries the run"},
     {"H", "this help"},

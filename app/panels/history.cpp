@@ -30,7 +30,9 @@ std::array<double, tracks> values(const Measures& m) {
             m.energy_changes.advection,
             m.enstrophy_changes.forces,
             m.enstrophy_changes.projection,
-            m.enstrophy_changes.advection};
+            m.enstrophy_changes.advection,
+            m.limited.density,
+            m.limited.velocity};
 }
 
 /// Keeps the samples of the steps that are multiples of `stride`.

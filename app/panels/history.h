@@ -34,6 +34,8 @@ enum class Track {
     EnstrophyByForces,
     EnstrophyByProjection,
     EnstrophyByAdvection,
+    LimitedDensity,
+    LimitedVelocity,
     Count
 };
 

@@ -19,7 +19,8 @@ struct Curve {
 
 /// A plot of the run's history.
 struct Chart {
-    enum class When { Always, Solved, Errors };  ///< a flow that is solved for; something to compare with
+    /// A flow that is solved for; something to compare with; limiters that are watched.
+    enum class When { Always, Solved, Errors, Limiters };
     enum class Scale { Fitted, Logarithmic, Percent, Density, Milliseconds };
 
     const char* title;
@@ -36,6 +37,7 @@ constexpr Curve enstrophy[] = {{"½∫ω²", Track::Enstrophy}};
 constexpr Curve extrema[] = {{"max", Track::MaxDensity}, {"min", Track::MinDensity}};
 constexpr Curve largest[] = {{"max", Track::MaxDensity}};
 constexpr Curve smallest[] = {{"min", Track::MinDensity}};
+constexpr Curve limited[] = {{"smoke", Track::LimitedDensity}, {"velocity", Track::LimitedVelocity}};
 constexpr Curve divergence[] = {{"after", Track::DivergenceAfter}, {"before", Track::DivergenceBefore}};
 constexpr Curve phases[] = {{"total", Track::TotalMs},
                             {"projection", Track::ProjectionMs},
@@ -51,6 +53,7 @@ constexpr Chart of_one_lane[] = {
     {"Kinetic energy", "", Scale::Fitted, When::Solved, energy},
     {"Enstrophy", "", Scale::Fitted, When::Solved, enstrophy},
     {"Density", "", Scale::Density, When::Always, extrema},
+    {"Limited nodes", "", Scale::Fitted, When::Limiters, limited},
     {"Max |∇·u|", "1/time", Scale::Logarithmic, When::Solved, divergence},
     {"Step time", "ms", Scale::Milliseconds, When::Always, phases},
 };
@@ -61,6 +64,7 @@ constexpr Chart of_many_lanes[] = {
     {"Enstrophy", "", Scale::Fitted, When::Solved, enstrophy},
     {"Largest density", "", Scale::Density, When::Always, largest},
     {"Smallest density", "", Scale::Density, When::Always, smallest},
+    {"Limited nodes of smoke", "", Scale::Fitted, When::Limiters, limited},
     {"Max |∇·u|", "1/time", Scale::Logarithmic, When::Solved, divergence},
     {"Step time", "ms", Scale::Milliseconds, When::Always, phases},
 };
@@ -74,6 +78,9 @@ struct Line {
 
 bool wanted(const Chart& chart, const SessionSnapshot& moment) {
     if (chart.when == When::Errors) return has_errors(moment);
+    if (chart.when == When::Limiters)
+        return std::any_of(moment.lanes.begin(), moment.lanes.end(),
+                           [](const Snapshot& lane) { return lane.limits.has_value(); });
     if (chart.when == When::Solved) return std::any_of(moment.lanes.begin(), moment.lanes.end(), is_solved);
     return true;
 }

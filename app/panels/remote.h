@@ -78,6 +78,7 @@ class Remote {
     void step() { player_.step_once(); }
     void seek(long step) { player_.seek(step); }
     std::optional<long> sought() const { return player_.sought(); }
+    void watch(const Watch& watch) { player_.watch(watch); }
     /// Asks for the present moment and the run up to it, see Player.
     void save() { player_.save(); }
     std::unique_ptr<Saved> take_saved() { return player_.take_saved(); }

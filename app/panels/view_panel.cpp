@@ -100,6 +100,18 @@ void draw_view_panel(PanelContext& context) {
     if (check("Arrows", context.view.arrows)) context.view.arrows = !context.view.arrows;
     context.trace.control("arrows");
     context.help.item(context.theme, "arrows", {"Arrows", "The velocity, over the field.", "", "", ""});
+    const bool looked_at = context.view.shown->of_limiters;
+    ImGui::BeginDisabled(looked_at);
+    if (check("Count limited nodes", context.view.count_limited || looked_at))
+        context.view.count_limited = !context.view.count_limited;
+    ImGui::EndDisabled();
+    context.trace.control("count-limited");
+    context.help.item(
+        context.theme, "count-limited",
+        {"Count limited nodes",
+         "A plot of how many nodes a limiter or a clamped interpolation changed in each step. Takes "
+         "two to seven advections more a step.",
+         "", "thesis sec. 3.2", ""});
 }
 
 }  // namespace whorl::app

@@ -39,6 +39,7 @@ struct ViewState {
     std::map<const View*, const ColourMap*> maps;  ///< chosen ones; others have the view's own
     bool crisp = false;                            ///< squares of one value each
     bool arrows = false;                           ///< velocity over the field
+    bool count_limited = false;                    ///< the nodes that limiters change, beside the measures
     bool help = false;                             ///< the keys are shown
     bool lessons = false;                          ///< a lesson stands where the measures do
     ColourRange range;
@@ -56,6 +57,10 @@ struct ViewState {
         return chosen != maps.end() ? *chosen->second : *find_colour_map(view.map);
     }
     const ColourMap& map() const { return map(*shown, difference); }
+    /// What to watch of the run.
+    Watch watch() const {
+        return {.node = labs.inspector.watched(), .limiters = count_limited || shown->of_limiters};
+    }
     void choose(const ColourMap& map) { maps[&coloured(*shown, difference)] = &map; }
 
   private:

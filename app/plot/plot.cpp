@@ -73,6 +73,20 @@ void draw_dots(ImDrawList& list, const Theme& theme, const Plot& plot, std::span
     list.PopClipRect();
 }
 
+void draw_marks(ImDrawList& list, const Theme& theme, const Plot& plot, const Frame& frame) {
+    for (const PlotMark& mark : plot.marks) {
+        const ImVec2 middle{frame.to_x(mark.x), frame.to_y(mark.y)};
+        if (!std::isfinite(middle.x) || !std::isfinite(middle.y)) continue;
+        const float radius = theme.px(mark.radius);
+        list.AddCircleFilled(middle, radius + theme.px(1.5f), theme.palette.card);
+        if (mark.filled) {
+            list.AddCircleFilled(middle, radius, mark.colour);
+        } else {
+            list.AddCircle(middle, radius, mark.colour, 0, theme.px(2));
+        }
+    }
+}
+
 /// Draws a card.
 /// @return x of the sample under the pointer, if any
 std::optional<double> paint(ImDrawList& list, const Theme& theme, const Plot& plot,
@@ -114,6 +128,7 @@ std::optional<double> paint(ImDrawList& list, const Theme& theme, const Plot& pl
             draw_curve(list, theme, frame, Abscissa(plot, series[k]), curves[k], series[k].colour,
                        series[k].dots, points);
         }
+        draw_marks(list, theme, plot, frame);
         list.PopClipRect();
         const std::optional<double> pointed = hovered_x(card, frame);
         if (pointed && drawn > 0) under = nearest_sample(plot, series, *pointed);

@@ -20,6 +20,14 @@ struct Series {
     std::span<const float> x = {};  ///< where they lie, ascending; empty takes the plot's
 };
 
+/// A point marked over the curves.
+struct PlotMark {
+    double x, y;
+    ImU32 colour;
+    float radius;        ///< points
+    bool filled = true;  ///< else a ring
+};
+
 /// An interval of an axis.
 struct Interval {
     double lo;
@@ -39,7 +47,8 @@ struct Plot {
     bool log_y = false;                    ///< values not above 0 leave a gap
     std::optional<Interval> y_range = {};  ///< fitted to the curves if empty
     std::optional<double> marker = {};     ///< hairline where another plot is hovered
-    ImVec2 size = {0.0f, 160.0f};          ///< of the card, pixels; no width takes all there is
+    std::span<const PlotMark> marks = {};
+    ImVec2 size = {0.0f, 160.0f};  ///< of the card, pixels; no width takes all there is
     std::string_view empty_text = "no samples yet";
     bool legend = true;  ///< names the curves on the card; the tooltip does so anyway
 };

@@ -25,6 +25,21 @@ const Field* difference(const Snapshot& s, Field& scratch) {
     return &scratch;
 }
 
+const Field* zeros(const Snapshot& s, Field& scratch) {
+    if (!scratch.same_shape(s.density)) scratch = s.density;
+    scratch.set_all(0);
+    return &scratch;
+}
+
+const Field* limited_smoke(const Snapshot& s, Field& scratch) {
+    return s.limits ? &s.limits->density : zeros(s, scratch);
+}
+
+const Field* limited_velocity(const Snapshot& s, Field& scratch) {
+    if (experiment(s.scene.experiment).flow != nullptr) return nullptr;
+    return s.limits ? &s.limits->velocity : zeros(s, scratch);
+}
+
 constexpr View table[] = {
     {"density", "Smoke density", "ρ", "How much smoke there is.", "magma",
      [](const Snapshot& s, Field&) { return &s.density; }, nullptr},
@@ -43,6 +58,11 @@ constexpr View table[] = {
      [](const Snapshot& s, Field&) { return s.has_exact ? &s.exact : nullptr; }, nullptr},
     {"difference", "Difference", "ρ", "Numerical less exact density.", "blue-dark-red", difference,
      about_zero},
+    {"limited-smoke", "Limited smoke", "", "Cells whose smoke a limiter changed in the last step.", "magma",
+     limited_smoke, nullptr, true},
+    {"limited-velocity", "Limited velocity", "of its faces",
+     "How many of a cell's faces had their velocity changed by a limiter in the last step.", "magma",
+     limited_velocity, nullptr, true},
 };
 
 }  // namespace
@@ -78,6 +98,14 @@ Range View::automatic_range(const Snapshot& snapshot, const Field& values) const
     const float far = reach(snapshot, values);
     const float span = far > 0 ? far : 1;
     return {middle ? from - span : 0, from + span};
+}
+
+void take_shown(Session& session, const View& view, const SessionSnapshot& last, Pool& pool,
+                SessionSnapshot& out) {
+    const bool watched = session.watches_limiters();
+    session.watch_limiters(watched || view.of_limiters);
+    take_snapshot(session, last, pool, out);
+    session.watch_limiters(watched);
 }
 
 std::string describe(const SchemeSet& s) {

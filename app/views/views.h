@@ -26,6 +26,7 @@ struct View {
     const Field* (*field)(const Snapshot&, Field& scratch);
     /// The value in the middle of the colours for one that diverges; null for one that grows from 0.
     float (*middle)(const Snapshot&);
+    bool of_limiters = false;  ///< shows nothing but 0 unless limiters are watched, see Watch
 
     /// The middle, or 0.
     float centre(const Snapshot& snapshot) const { return middle ? middle(snapshot) : 0; }
@@ -40,6 +41,10 @@ std::span<const View> views();
 
 /// @throws InputError that names the nearest keys
 const View& view(std::string_view key);
+
+/// A snapshot of the present state with all that a view shows.
+void take_shown(Session& session, const View& view, const SessionSnapshot& last, Pool& pool,
+                SessionSnapshot& out);
 
 /// A scheme set in the words of the thesis: "MacCormack · linear · midpoint".
 std::string describe(const SchemeSet& schemes);

@@ -28,6 +28,8 @@ constexpr Column columns[] = {{"density_percent", Track::DensityPercent},
                               {"enstrophy_by_forces", Track::EnstrophyByForces},
                               {"enstrophy_by_projection", Track::EnstrophyByProjection},
                               {"enstrophy_by_advection", Track::EnstrophyByAdvection},
+                              {"limited_density", Track::LimitedDensity},
+                              {"limited_velocity", Track::LimitedVelocity},
                               {"step_ms", Track::TotalMs}};
 
 /// As CSV quotes what may hold commas.

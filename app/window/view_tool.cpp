@@ -12,13 +12,6 @@ namespace {
 constexpr double notch = 1.25;      // closer by this with each notch of the wheel
 constexpr double reach_pixels = 7;  // from the line, on either side
 
-const FieldTile* tile_of(const FieldPlacement& place, std::size_t lane) {
-    for (const FieldTile& tile : place.tiles) {
-        if (tile.lane == lane) return &tile;
-    }
-    return nullptr;
-}
-
 }  // namespace
 
 bool on_wipe_line(const FieldPlacement& place, double x, double y) {
@@ -45,7 +38,8 @@ bool ViewTool::take(const InputEvent& event, const FieldPlacement& place, ViewSt
             drag_ = Drag::None;
             return true;
         case Kind::Wheel:
-            if ((event.mods & GLFW_MOD_CONTROL) == 0) return false;
+            // Without a brush the wheel is free.
+            if ((event.mods & GLFW_MOD_CONTROL) == 0 && !view.labs.inspector.open) return false;
             if (place.at(x_, y_) != nullptr) zoom(event.y, place, view);
             return true;
         case Kind::Character:
@@ -85,7 +79,7 @@ bool ViewTool::press(const InputEvent& event, const FieldPlacement& place) {
 }
 
 void ViewTool::move(const InputEvent& event, const FieldPlacement& place, ViewState& view) {
-    const FieldTile* tile = tile_of(place, lane_);
+    const FieldTile* tile = place.of(lane_);
     if (tile == nullptr) return;
     if (drag_ == Drag::Wipe) {
         const double part = (event.x - tile->rect.x) / tile->rect.width;

@@ -90,6 +90,7 @@ void Workbench::frame() {
 
 /// Takes the newest state, its measures, and what is shown of it with its range.
 void Workbench::take_run() {
+    remote_.watch(view_.watch());
     remote_.begin_frame();
     const SessionSnapshot& session = remote_.session();
     const bool new_run = player_->take_measures(measures_);
@@ -113,6 +114,8 @@ void Workbench::act_on(const InputEvent& event) {
     if (event.kind == Kind::Character && ImGui::GetIO().WantTextInput) return;
     if (view_.tour_in_sight(files_) && !ImGui::GetIO().WantTextInput && view_.tour.take(event)) return;
     if (view_tool_.take(event, place_, view_)) return;
+    if (slice_tool_.take(event, place_, remote_.session(), window_.theme().scale, view_.labs.slice)) return;
+    if (inspect_tool_.take(event, place_, remote_, view_)) return;
     if (lessons_.take(event, remote_, view_)) return;
     switch (event.kind) {
         case Kind::Character:
@@ -179,6 +182,10 @@ void Workbench::type(const InputEvent& event) {
         case 'h':
         case 'H':
             view_.help = !view_.help;
+            return;
+        case 'i':
+        case 'I':
+            view_.labs.inspector.open = !view_.labs.inspector.open;
             return;
         case 'l':
         case 'L':

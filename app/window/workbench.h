@@ -12,6 +12,8 @@
 #include "app/window/field_painter.h"
 #include "app/window/frame_clock.h"
 #include "app/window/glfw_window.h"
+#include "app/window/inspect_tool.h"
+#include "app/window/slice_tool.h"
 #include "app/window/view_tool.h"
 
 namespace whorl::app {
@@ -49,6 +51,8 @@ class Workbench {
     HoverHelp help_;
     BrushTool brush_;
     ViewTool view_tool_;
+    SliceTool slice_tool_;
+    InspectTool inspect_tool_;
     FieldPlacement place_;
     Slabs slabs_;
     FieldPainter painter_;

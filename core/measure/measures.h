@@ -28,6 +28,13 @@ struct Errors {
     double L1, L2, Linf;
 };
 
+/// Nodes whose value a limiter or a clamped interpolation changed in a step, the faces of both directions for
+/// the velocity; NaN where that is not moved, or was not watched.
+struct LimiterCounts {
+    double density = std::numeric_limits<double>::quiet_NaN();
+    double velocity = std::numeric_limits<double>::quiet_NaN();
+};
+
 struct Measures {
     long step = 0;
     double time = 0;
@@ -43,6 +50,7 @@ struct Measures {
     double min_density = 0, max_density = 0;
     double cfl = 0;  ///< |u|max Δt / h
     Errors errors;
+    LimiterCounts limited;  ///< by the last step
     PhaseTimes ms;
     std::string_view pressure_why_not;  ///< why another pressure solver than the chosen one acted, or empty
     SolveReport pressure;     ///< of the last projection; its solver's key is empty if there was none

@@ -70,12 +70,11 @@ std::optional<long> Player::sought() const {
     return rewind_to_ ? rewind_to_ : target_;
 }
 
-void Player::keep_advections(bool keep) {
+void Player::watch(const Watch& watch) {
     const std::lock_guard lock(mutex_);
-    const Keep wanted = keep ? Keep::Advection : Keep::Nothing;
-    if (wanted == keep_) return;
-    keep_ = wanted;
-    again_ = keep;
+    if (watch == watch_) return;
+    watch_ = watch;
+    look_again_ = true;
     wake_.notify_all();
 }
 
@@ -165,8 +164,8 @@ void Player::work(const std::stop_token& stop) {
             act(lock);
         } else if (save_) {
             hand_over(lock);
-        } else if (again_) {
-            publish(lock, Event::Edited);
+        } else if (look_again_) {
+            look_again(lock);
         } else if (wants_step()) {
             step(lock);
         } else {
@@ -178,12 +177,14 @@ void Player::work(const std::stop_token& stop) {
 void Player::begin(Lock& lock) {
     Recording recording = std::move(*next_);
     next_.reset();
+    const bool limiters = watch_.limiters;
     const bool sets_aside = std::exchange(sets_aside_, false);
     lock.unlock();
     std::string complaint;
     std::unique_ptr<SetAside> before;
     try {
         Session session(std::move(recording), pool_);
+        session.watch_limiters(limiters);
         if (sets_aside)
             before = std::make_unique<SetAside>(SetAside{session_->whole_recording(), session_->complete()});
         session_.emplace(std::move(session));
@@ -229,12 +230,15 @@ void Player::rewind(Lock& lock) {
     const long step = std::clamp(*rewind_to_, 0L, session_->last_step());
     rewind_to_.reset();
     target_ = step;
+    // What is watched is known of a step that was taken, not of a moment that was kept.
+    const bool retake = watch_.any() && step > 0 && !knows_watched();
     // A step that lies ahead is nearer from here than from a kept moment, as a rule.
-    if (step >= session_->step_number()) return;
+    if (step > session_->step_number() || (step == session_->step_number() && !retake)) return;
+    const long to = watch_.any() ? std::max(0L, step - 1) : step;
     lock.unlock();
     std::string complaint;
     try {
-        session_->rewind(step);
+        session_->rewind(to);
     } catch (const InputError& e) {
         complaint = e.what();
     }
@@ -305,15 +309,38 @@ void Player::hand_over(Lock& lock) {
     saved_ = std::move(saved);
 }
 
+/// Whether every lane still holds what its last step began with.
+bool Player::knows_watched() const {
+    for (std::size_t k = 0; k < session_->lane_count(); ++k) {
+        if (!session_->lane(k).simulation().last_advection()) return false;
+    }
+    return true;
+}
+
+void Player::look_again(Lock& lock) {
+    look_again_ = false;
+    const Watch watch = watch_;
+    const bool on_its_way = wants_step();
+    lock.unlock();
+    session_->watch_limiters(watch.limiters);
+    // At a moment that was restored, the step is not known that led to it.
+    const bool known = !watch.any() || knows_watched() || session_->step_number() == 0;
+    lock.lock();
+    if (known || on_its_way || !session_->complete() || rewind_to_) {
+        publish(lock, Event::Edited);
+    } else {
+        rewind_to_ = session_->step_number();
+    }
+}
+
 /// Writes the spare snapshot without the lock, then makes it the newest.
 void Player::publish(Lock& lock, Event event) {
     SessionSnapshot& out = snapshots_[spare_];
     const SessionSnapshot& last = snapshots_[fresh_ ? newest_ : shown_];
     out.taken = taken_;
-    again_ = false;
-    const Keep keep = keep_;
+    const std::optional<Watch::Node> node = watch_.node;
     lock.unlock();
-    take_snapshot(*session_, last, pool_, out, keep);
+    take_snapshot(*session_, last, pool_, out, node);
     out.run = last.run + (event == Event::Began ? 1 : 0);
     out.serial = last.serial + 1;
     lock.lock();

@@ -77,8 +77,9 @@ class Player {
     bool take_measures(std::vector<StepMeasures>& out);
     /// The last command that could not be taken, once; empty otherwise.
     std::string take_complaint();
-    /// Whether snapshots keep what their last advection began with, from one that is soon to come.
-    void keep_advections(bool keep);
+    /// What snapshots and measures tell beside the fields, from a snapshot that is soon to come. While paused
+    /// it tells of the step that is on screen, which is taken once more where nothing is kept of it.
+    void watch(const Watch& watch);
     /// Asks for the present moment and the run up to it; take_saved has it soon after.
     void save();
     std::unique_ptr<Saved> take_saved();
@@ -95,14 +96,16 @@ class Player {
     void act(Lock& lock);
     void step(Lock& lock);
     void rewind(Lock& lock);
+    bool knows_watched() const;
     void hand_over(Lock& lock);
+    void look_again(Lock& lock);
     void publish(Lock& lock, Event event);
     void note_step();
     bool wants_step() const {
         return target_ || single_ > 0 || (playing_ && (pace_.unlimited || allowed_ > 0));
     }
     bool wants_work() const {
-        return next_ || !commands_.empty() || rewind_to_ || save_ || again_ || wants_step();
+        return next_ || !commands_.empty() || rewind_to_ || save_ || look_again_ || wants_step();
     }
 
     mutable std::mutex mutex_;
@@ -124,8 +127,8 @@ class Player {
     bool new_run_ = true;
     std::string complaint_;
     bool save_ = false;
-    Keep keep_ = Keep::Nothing;
-    bool again_ = false;  ///< the present moment is wanted as a snapshot once more
+    Watch watch_;
+    bool look_again_ = false;  ///< what is watched has changed
     std::unique_ptr<Saved> saved_;
     int newest_ = 0, shown_ = 1, spare_ = 2;  ///< places in snapshots_
     bool fresh_ = false;                      ///< the newest has not been taken; else it is the shown one

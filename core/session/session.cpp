@@ -41,6 +41,7 @@ void Session::step() {
     ++step_;
     time_ += setup_.scene.dt;
     for (Place& place : lanes_) place.lane->step_to(time_);
+    mark();
     last_step_ = std::max(last_step_, step_);
     if (kept_.wants(step_)) kept_.keep(step_, moment());
     const std::string refusal = act_recorded();
@@ -150,6 +151,7 @@ void Session::rewind(long step) {
                 ? std::move(*same)
                 : Place{std::make_unique<Lane>(kept->lanes[k].checkpoint.scene, *pool_), kept->ids[k], {}});
         places.back().lane->restore(kept->lanes[k]);
+        places.back().limits.reset();
     }
     lanes_ = std::move(places);
     const std::string refusal = act_recorded();
@@ -167,8 +169,38 @@ Moment Session::moment() const {
     return moment;
 }
 
+void Session::watch_limiters(bool watch) {
+    if (watches_limiters_ == watch) return;
+    watches_limiters_ = watch;
+    mark();
+    measure();
+}
+
+/// After a lane's step, before anything else changes its fields.
+void Session::mark() {
+    for (Place& place : lanes_) {
+        const auto last = watches_limiters_ ? place.lane->simulation().last_advection() : std::nullopt;
+        if (!last || place.lane->failure()) {
+            place.limits.reset();
+            continue;
+        }
+        if (!place.limits) place.limits.emplace();
+        mark_limits(*last, *pool_, *place.limits);
+    }
+}
+
+const LimiterMarks* Session::limits(std::size_t k) const {
+    const Place& place = lanes_[k];
+    const bool fits =
+        place.limits && place.limits->density.same_shape(place.lane->simulation().state().density);
+    return fits ? &*place.limits : nullptr;
+}
+
 void Session::measure() {
-    for (Place& place : lanes_) place.measures = place.lane->simulation().measures();
+    for (std::size_t k = 0; k < lanes_.size(); ++k) {
+        lanes_[k].measures = lanes_[k].lane->simulation().measures();
+        if (limits(k) != nullptr) lanes_[k].measures.limited = lanes_[k].limits->counts;
+    }
     if (setup_.reference == no_reference) return;
     const Lane& reference = *lanes_[static_cast<std::size_t>(setup_.reference)].lane;
     if (!reference.failure()) measure_against(reference.simulation());

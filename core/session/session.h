@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 
+#include "core/inspect/limiter_marks.h"
 #include "core/measure/average.h"
 #include "core/session/kept_moments.h"
 #include "core/session/recording.h"
@@ -35,6 +36,10 @@ class Session {
     /// @throws InputError as step() does
     void rewind(long step);
 
+    /// Whether steps note where limiters act. Goes for the last step at once.
+    void watch_limiters(bool watch);
+    bool watches_limiters() const { return watches_limiters_; }
+
     long step_number() const { return step_; }
     double time() const { return time_; }
     /// The furthest step that has been reached, or that the recording goes to.
@@ -52,6 +57,8 @@ class Session {
     const Lane& lane(std::size_t k) const { return *lanes_[k].lane; }
     /// A number that stays with a lane wherever it moves.
     int id(std::size_t k) const { return lanes_[k].id; }
+    /// Where limiters acted in a lane's last step; null where that is not watched or not known.
+    const LimiterMarks* limits(std::size_t k) const;
     /// Of a lane's present state; its errors are against the exact solution, or else against the reference.
     const Measures& measures(std::size_t k) const { return lanes_[k].measures; }
     /// Whether any lane can be stepped on.
@@ -64,6 +71,7 @@ class Session {
         std::unique_ptr<Lane> lane;
         int id = 0;
         Measures measures;
+        std::optional<LimiterMarks> limits{};
     };
 
     void begin();
@@ -72,6 +80,7 @@ class Session {
     void set(const Setup& setup);
     void arrange(const Arrange& arrange);
     void measure();
+    void mark();
     void measure_against(const Simulation& reference);
     Moment moment() const;
 
@@ -82,6 +91,7 @@ class Session {
     Setup setup_;
     long step_ = 0, last_step_ = 0;
     double time_ = 0;
+    bool watches_limiters_ = false;
     int next_id_ = 0;
     std::vector<Place> lanes_;
     KeptMoments kept_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/inspect/explain.h"
 #include "core/measure/vorticity.h"
 #include "core/scene/digest.h"
 
@@ -27,9 +28,20 @@ void speed_and_divergence(const State& state, Pool& pool, Snapshot& out) {
     });
 }
 
+/// The explanation of the node that is nearest to a point.
+Explanation explained(const LastAdvection& last, const Watch::Node& node, Pool& pool) {
+    const Field& field = *last.from(node.quantity);
+    const double h = last.boundary->grid().h;
+    const auto nearest = [h](double at, double offset, int count) {
+        return std::clamp(static_cast<int>(std::lround(at / h - offset)), 0, count - 1);
+    };
+    return explain(last, node.quantity, nearest(node.at.x, offset_x(field.site()), field.width()),
+                   nearest(node.at.y, offset_y(field.site()), field.height()), pool);
+}
+
 }  // namespace
 
-void take_snapshot(const Lane& lane, Pool& pool, Snapshot& out, Keep keep) {
+void take_snapshot(const Lane& lane, Pool& pool, Snapshot& out, const std::optional<Watch::Node>& node) {
     const Simulation& simulation = lane.simulation();
     const State& state = simulation.state();
     out.scene = simulation.scene();
@@ -48,17 +60,14 @@ void take_snapshot(const Lane& lane, Pool& pool, Snapshot& out, Keep keep) {
     speed_and_divergence(state, pool, out);
     vorticity(state.velocity, state.boundary, out.vorticity, pool);
     out.has_exact = simulation.exact(out.exact);
-    const auto advection = keep == Keep::Advection ? simulation.last_advection() : std::nullopt;
-    if (!advection) {
-        out.advection.reset();
-        return;
-    }
-    if (!out.advection) out.advection.emplace();
-    out.advection->keep(*advection);
+    out.explanation.reset();
+    if (!node) return;
+    const auto last = simulation.last_advection();
+    if (last && last->from(node->quantity) != nullptr) out.explanation = explained(*last, *node, pool);
 }
 
 void take_snapshot(const Session& session, const SessionSnapshot& last, Pool& pool, SessionSnapshot& out,
-                   Keep keep) {
+                   const std::optional<Watch::Node>& node) {
     out.setup = session.setup();
     out.step = session.step_number();
     out.last_step = session.last_step();
@@ -74,8 +83,13 @@ void take_snapshot(const Session& session, const SessionSnapshot& last, Pool& po
             lane = last.lanes[static_cast<std::size_t>(before - last.ids.begin())];
             lane.failure = session.lane(k).failure();
         } else {
-            take_snapshot(session.lane(k), pool, lane, keep);
+            take_snapshot(session.lane(k), pool, lane, node);
             lane.measures = session.measures(k);
+            if (const LimiterMarks* limits = session.limits(k)) {
+                lane.limits = *limits;
+            } else {
+                lane.limits.reset();
+            }
         }
     }
 }

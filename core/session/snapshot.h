@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "core/inspect/explanation.h"
 #include "core/session/session.h"
+#include "core/session/watch.h"
 
 namespace whorl {
 
@@ -22,16 +24,11 @@ struct Snapshot {
     Field exact;                         ///< the exact density, where has_exact
     bool has_exact = false;
     Measures measures;
-    /// What the last step's advection began with, where that was asked for and is known.
-    std::optional<KeptAdvection> advection;
-    std::optional<std::string> failure;  ///< why the lane has stopped; the fields are the last sound ones
+    // Where that is watched, and known of the last step:
+    std::optional<LimiterMarks> limits;
+    std::optional<Explanation> explanation;  ///< of the watched node
+    std::optional<std::string> failure;      ///< why the lane has stopped; the fields are the last sound ones
 };
-
-/// The last advection of a snapshot that has kept it.
-inline std::optional<LastAdvection> last_advection(const Snapshot& s) {
-    if (!s.advection) return std::nullopt;
-    return s.advection->last(s.density, s.temperature, s.velocity);
-}
 
 /// All lanes at one step.
 struct SessionSnapshot {
@@ -50,15 +47,13 @@ struct SessionSnapshot {
     std::uint64_t digest() const;
 };
 
-/// What to copy beside the present state.
-enum class Keep { Nothing, Advection };
-
-/// Copies a sound lane's present state; allocates only when the grid has changed.
-void take_snapshot(const Lane& lane, Pool& pool, Snapshot& out, Keep keep = Keep::Nothing);
+/// Copies a sound lane's present state; allocates only when the grid has changed or a node is watched.
+void take_snapshot(const Lane& lane, Pool& pool, Snapshot& out,
+                   const std::optional<Watch::Node>& node = std::nullopt);
 
 /// Copies a session's present state; a lane that has stopped keeps the fields of `last`, the snapshot before.
 /// Leaves serial and run alone.
 void take_snapshot(const Session& session, const SessionSnapshot& last, Pool& pool, SessionSnapshot& out,
-                   Keep keep = Keep::Nothing);
+                   const std::optional<Watch::Node>& node = std::nullopt);
 
 }  // namespace whorl

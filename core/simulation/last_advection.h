@@ -47,33 +47,4 @@ struct LastAdvection {
     const Field* at_present(Quantity quantity) const { return now[static_cast<std::size_t>(quantity)]; }
 };
 
-/// A copy of what a last advection began with.
-struct KeptAdvection {
-    AdvectionSetup setup;
-    Boundary boundary;
-    FaceVelocity velocity;
-    Field density, temperature;
-    bool carries_flow = false;  ///< whether more than the density moves
-
-    /// Allocates only where the grid has changed.
-    void keep(const LastAdvection& last) {
-        setup = last.setup;
-        boundary = *last.boundary;
-        velocity = *last.velocity;
-        density = *last.from(Quantity::Density);
-        carries_flow = last.from(Quantity::Temperature) != nullptr;
-        if (carries_flow) temperature = *last.from(Quantity::Temperature);
-    }
-    /// @param density_now, temperature_now, velocity_now what it led to
-    LastAdvection last(const Field& density_now, const Field& temperature_now,
-                       const FaceVelocity& velocity_now) const {
-        if (!carries_flow) return {setup, &boundary, &velocity, {&density}, {&density_now}};
-        return {setup,
-                &boundary,
-                &velocity,
-                {&density, &temperature, &velocity.u, &velocity.v},
-                {&density_now, &temperature_now, &velocity_now.u, &velocity_now.v}};
-    }
-};
-
 }  // namespace whorl

@@ -428,28 +428,6 @@ TEST(Inspect, SaysNothingOfFieldsThatWereChangedSince) {
     EXPECT_EQ(explain(*plume.last_advection(), Quantity::Density, 6, 5, pool).result, e.result);
 }
 
-TEST(Inspect, SnapshotsKeepTheLastAdvectionWhenAsked) {
-    for (const char* name : {"plume", "rotation"}) {
-        Scene scene = scene_of(experiment(name));
-        set_parameter(scene, "resolution=16");
-        Pool pool(1);
-        Session session({.setup = {.scene = scene}}, pool);
-        for (int k = 0; k < 10; ++k) session.step();
-        SessionSnapshot plain, kept;
-        take_snapshot(session, plain, pool, plain);
-        EXPECT_FALSE(last_advection(plain.lanes[0]));
-        take_snapshot(session, kept, pool, kept, Keep::Advection);
-        const Explanation direct =
-            explain(*session.lane(0).simulation().last_advection(), Quantity::Density, 8, 2, pool);
-        session.step();  // the copy does not move on
-        ASSERT_TRUE(last_advection(kept.lanes[0]));
-        const Explanation copied = explain(*last_advection(kept.lanes[0]), Quantity::Density, 8, 2, pool);
-        EXPECT_EQ(write_text(copied), write_text(direct));
-        take_snapshot(session, kept, pool, kept);
-        EXPECT_FALSE(last_advection(kept.lanes[0]));
-    }
-}
-
 TEST(Inspect, WritesTheSumAsText) {
     SchemeSet schemes;
     schemes.advector = Advectors::of<MacCormack>();

@@ -70,23 +70,6 @@ TEST(Player, SetsARunAsideForAnotherOne) {
     EXPECT_EQ(player.take_set_aside(), nullptr) << "nobody asked";
 }
 
-TEST(Player, KeepsAdvectionsWhileAskedTo) {
-    Player player(small_plume(), 1);
-    player.step_once();
-    ASSERT_TRUE(eventually([&] { return player.newest().step == 1; }));
-    EXPECT_FALSE(player.newest().lanes[0].advection);
-    player.keep_advections(true);
-    ASSERT_TRUE(eventually([&] { return player.newest().lanes[0].advection.has_value(); }));
-    EXPECT_EQ(player.newest().step, 1) << "paused: the same moment once more";
-    player.step_once();
-    ASSERT_TRUE(eventually([&] { return player.newest().step == 2; }));
-    EXPECT_TRUE(player.newest().lanes[0].advection);
-    player.keep_advections(false);
-    player.step_once();
-    ASSERT_TRUE(eventually([&] { return player.newest().step == 3; }));
-    EXPECT_FALSE(player.newest().lanes[0].advection);
-}
-
 TEST(Player, TakesItsPaceFromTheFrames) {
     Player player(small_plume(), 1);
     player.set_pace({.steps_per_frame = 3, .unlimited = false});

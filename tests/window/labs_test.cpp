@@ -210,60 +210,6 @@ TEST(StencilLab, SphWeightsOfACellsCornersAreATenthOfTheNodesAtLeast) {
     EXPECT_GE(ratio, 0.1);
 }
 
-/// A lane with a solid and smoke that differs from cell to cell.
-Snapshot some_lane(bool periodic) {
-    Snapshot lane;
-    lane.grid = {12, 9, 0.5};
-    lane.periodic = periodic;
-    lane.solids.assign(12 * 9, 0);
-    lane.solids[4 * 12 + 7] = 1;
-    lane.density = Field(12, 9, Site::Centre);
-    for (int j = 0; j < 9; ++j) {
-        for (int i = 0; i < 12; ++i) lane.density(i, j) = static_cast<Real>(std::sin(1.7 * i + 2.9 * j));
-    }
-    return lane;
-}
-
-TEST(Slice, ValuesAreTheFieldsCellsAndCurvesPassThroughThem) {
-    for (const bool periodic : {false, true}) {
-        const Snapshot lane = some_lane(periodic);
-        FilledFields fields;
-        const Field& filled = fields.of(0, lane, lane.density, 1);
-        for (const bool vertical : {false, true}) {
-            const int across = vertical ? 7 : 4;
-            const SliceLine line{vertical, (across + 0.5) / (vertical ? 12 : 9)};
-            ASSERT_EQ(line.index(lane.grid), across);
-            const SliceCurve cells = cells_along(lane.density, lane, line);
-            ASSERT_EQ(cells.y.size(), vertical ? 9u : 12u);
-            for (std::size_t scheme = 0; scheme < Interpolations::infos.size(); ++scheme) {
-                SchemeSet schemes;
-                schemes.interpolation = Interpolations::Id::at(scheme);
-                constexpr std::size_t per_cell = 8;
-                const SliceCurve curve = curve_along(filled, lane, line, schemes, per_cell);
-                ASSERT_EQ(curve.y.size(), (cells.y.size() - 1) * per_cell + 1);
-                for (std::size_t k = 0; k < cells.y.size(); ++k) {
-                    EXPECT_EQ(curve.x[k * per_cell], cells.x[k]);
-                    const bool solid = k == (vertical ? 4u : 7u);
-                    EXPECT_EQ(std::isnan(cells.y[k]), solid);
-                    EXPECT_EQ(std::isnan(curve.y[k * per_cell]), solid);
-                    if (solid) continue;
-                    const int at = static_cast<int>(k);
-                    EXPECT_EQ(cells.y[k], vertical ? lane.density(across, at) : lane.density(at, across));
-                    const bool interpolates = schemes.interpolation != Interpolations::of<BSpline>();
-                    EXPECT_EQ(curve.y[k * per_cell] == cells.y[k], interpolates);
-                }
-            }
-        }
-    }
-}
-
-TEST(Slice, StaysInsideTheDomain) {
-    const Grid grid{12, 9, 0.5};
-    EXPECT_EQ((SliceLine{false, 0}.index(grid)), 0);
-    EXPECT_EQ((SliceLine{false, 1}.index(grid)), 8);
-    EXPECT_EQ((SliceLine{true, 1}.index(grid)), 11);
-}
-
 Scene small_rotation() {
     Scene scene = scene_of(experiment("rotation"));
     scene.resolution = 20;
@@ -318,6 +264,9 @@ TEST(LabWindows, NothingIsCutOffOnAnyScreen) {
                                trace.path);
             lab.open(window.view.labs) = true;
             window.view.labs.slice.compares_interpolations = true;
+            window.view.labs.inspector.pick({12, 9});
+            window.player.step_once();
+            ASSERT_TRUE(window.eventually([&] { return window.remote.session().step == 1; }));
             for (int frame = 0; frame < 3; ++frame) window.frame();
             const ImGuiWindow* drawn = ImGui::FindWindowByName(lab.label);
             ASSERT_NE(drawn, nullptr);

@@ -24,6 +24,7 @@ struct LanesWindow {
 
     /// A frame, as the workbench makes it.
     void frame() {
+        remote.watch(view.watch());
         remote.begin_frame();
         const SessionSnapshot& session = remote.session();
         std::vector<StepMeasures> measures;

@@ -430,9 +430,10 @@ TEST(LessonPanelWalk, LeavesWhatSomeoneHasLoadedSince) {
     EXPECT_TRUE(window.eventually([&] { return window.shows(lesson.steps[0]); }));
     window.remote.load("last", {.setup = {.scene = other}});
     window.walk.set_open(false, window.remote);
+    ASSERT_TRUE(window.eventually([&] { return window.remote.session().setup.scene.resolution == 12; }));
     for (int k = 0; k < 20; ++k) window.frame();
     EXPECT_EQ(window.remote.loaded(), "last");
-    EXPECT_EQ(window.remote.session().setup.scene.resolution, 12);
+    EXPECT_EQ(window.remote.session().setup.scene.resolution, 12) << "and it stays";
 }
 
 TEST(LessonPanelWalk, SaysThatARunIsTooLongToComeBack) {

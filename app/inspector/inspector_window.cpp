@@ -1,0 +1,164 @@
+#include "app/inspector/inspector_window.h"
+
+#include <imgui.h>
+
+#include <cmath>
+#include <utility>
+
+#include "app/inspector/sum_view.h"
+#include "app/inspector/way_lens.h"
+#include "app/labs/lab_widgets.h"
+#include "app/panels/measure_tabs.h"
+#include "app/panels/widgets.h"
+#include "core/inspect/text.h"
+
+namespace whorl::app {
+namespace {
+
+void paragraph(ImFont* font, ImU32 colour, const std::string& words) {
+    ImGui::PushFont(font);
+    ImGui::PushTextWrapPos(0);
+    text(colour, words);
+    ImGui::PopTextWrapPos();
+    ImGui::PopFont();
+}
+
+void quantity_chips(PanelContext& context, Inspector& inspector) {
+    const float width = chip_width(static_cast<int>(quantities.size()));
+    for (std::size_t k = 0; k < quantities.size(); ++k) {
+        const auto quantity = static_cast<Quantity>(k);
+        const QuantityInfo& what = info(quantity);
+        const std::string key = "inspector-quantity=" + std::string(what.key);
+        if (lab_chip(context, key, {what.symbol, what.label, "", "", ""}, inspector.node.quantity == quantity,
+                     width, k == 0))
+            inspector.node.quantity = quantity;
+    }
+}
+
+/// Why there is nothing to tell, and what would be.
+std::string why_not(const PanelContext& context, const Inspector& inspector) {
+    if (!inspector.picked) return "Click a cell, in any lane. Shift and an arrow go to its neighbours.";
+    const Snapshot& lane = context.snapshot();
+    if (inspector.node.quantity != Quantity::Density && !is_solved(lane))
+        return std::string(info(inspector.node.quantity).label) +
+               " is not moved here: the flow is given. Choose ρ.";
+    if (lane.measures.step == 0) return "Nothing has moved yet. Press . for one step.";
+    return "The scene was changed after the last step. Press . for one more.";
+}
+
+/// The lane, the node, and what it holds.
+void head(PanelContext& context, const Explanation& e) {
+    const Theme& theme = context.theme;
+    const QuantityInfo& what = info(e.quantity);
+    ImGui::PushFont(theme.title);
+    text(theme.palette.text, std::string(what.symbol) + " (" + std::to_string(e.i) + ", " +
+                                 std::to_string(e.j) + ") = " + written(e.result, 6));
+    ImGui::PopFont();
+    context.trace.control("inspector-value");
+    if (context.names.size() > 1) {
+        const std::size_t lane = context.remote.selected();
+        paragraph(theme.small, theme.lane(static_cast<int>(lane)), context.names.name(lane));
+    }
+    const auto note = [&](const std::string& words) {
+        paragraph(theme.small, theme.palette.text_dim, words);
+    };
+    if (e.inside())
+        note("In a wall: it holds the value of the nearest node that fluid touches, (" +
+             std::to_string(e.of_i) + ", " + std::to_string(e.of_j) + "), explained here.");
+    if (e.closed)
+        note("On a wall, through which nothing flows; else it would be " + written(e.sum.value(), 6) + ".");
+    if (e.now != e.result) note("Since then it has become " + written(e.now, 6) + ".");
+}
+
+/// What a predictor-corrector made on its way, line by line.
+void correction(PanelContext& context, const Explanation& e) {
+    const Theme& theme = context.theme;
+    const Correction& c = *e.correction;
+    const auto row = [&](const char* name, double value, ImU32 colour) {
+        const float right = ImGui::GetContentRegionMax().x;
+        ImGui::PushFont(theme.small);
+        text(theme.palette.text_dim, name);
+        ImGui::PopFont();
+        ImGui::PushFont(theme.mono);
+        const std::string shown = written(value, 6);
+        ImGui::SameLine(right - ImGui::CalcTextSize(shown.c_str()).x);
+        text(colour, shown);
+        ImGui::PopFont();
+    };
+    row("before the step", c.start, theme.palette.text);
+    row("forward", c.forward, theme.palette.text);
+    row("back again", c.back, theme.palette.text);
+    row("error e = (back − before) / 2", c.error, theme.palette.text);
+    row("corrected", e.sum.total, theme.palette.text);
+    const bool acted = e.sum.cut && e.sum.cut->acted();
+    if (acted) row("limited", e.sum.value(), theme.palette.accent);
+}
+
+void step_chips(PanelContext& context, const Explanation& e, Inspector& inspector) {
+    constexpr const char* names[] = {"Forward", "Back", "Again"};
+    constexpr const char* help[] = {"Draws the step along the flow over the field.",
+                                    "Draws the step against the flow over the field.",
+                                    "Draws the second step along the flow, of the corrected field."};
+    const float width = chip_width(static_cast<int>(e.steps.size()));
+    for (std::size_t k = 0; k < e.steps.size(); ++k) {
+        const std::string key = "inspector-step=" + std::to_string(k + 1);
+        if (lab_chip(context, key, {names[k], help[k], "", "", ""}, inspector.shown(e) == k, width, k == 0))
+            inspector.step = k;
+    }
+}
+
+bool button(PanelContext& context, const char* label, const char* key, float width, const char* help) {
+    const bool pressed = ImGui::Button(label, {width, 0});
+    context.trace.control(key);
+    context.help.item(context.theme, key, {label, help, "", "", ""});
+    return pressed;
+}
+
+void buttons(PanelContext& context, const Explanation& e, Inspector& inspector) {
+    const bool zooms = context.snapshot().grid.dimensions() == 2;
+    const float width = chip_width(zooms ? 2 : 1);
+    if (zooms &&
+        button(context, "Closer", "inspector-closer", width,
+               "Shows the cell, its way and what is read there as large as possible. Key 0 shows the whole "
+               "domain."))
+        inspector.goes_closer = true;
+    if (zooms) ImGui::SameLine(0, std::floor(0.5f * ImGui::GetStyle().ItemSpacing.x));
+    if (!button(context, "Copy as text", "inspector-copy", width,
+                "All of this as plain text to the clipboard, as `whorl explain` prints it."))
+        return;
+    const std::string words = write_text(e);
+    ImGui::SetClipboardText(words.c_str());
+    context.remote.notices().info("Copied the sum as text");
+    context.trace.event("copied", words);
+}
+
+}  // namespace
+
+void draw_inspector_window(PanelContext& context) {
+    const Theme& theme = context.theme;
+    Inspector& inspector = context.view.labs.inspector;
+    quantity_chips(context, inspector);
+    const std::optional<Explanation>& explanation = context.snapshot().explanation;
+    if (!explanation || explanation->quantity != inspector.node.quantity) {
+        inspector.pointed.reset();
+        paragraph(theme.body, theme.palette.text_dim, why_not(context, inspector));
+        return;
+    }
+    const Explanation& e = *explanation;
+    if (std::exchange(inspector.goes_closer, false)) {
+        const Grid& grid = context.snapshot().grid;
+        context.view.window = window_around(e, {grid.width(), grid.height()}, grid.h);
+    }
+    head(context, e);
+    buttons(context, e, inspector);
+    ImGui::BeginChild("inspected");
+    if (e.correction) {
+        correction(context, e);
+        step_chips(context, e, inspector);
+    }
+    draw_way_lens(context, e.steps[inspector.shown(e)], context.snapshot().grid.h);
+    draw_sums(context, e, inspector);
+    ImGui::EndChild();
+}
+
+}  // namespace whorl::app

@@ -1,0 +1,14 @@
+// The ends of a node's ways, seen close: how far the tracers lie apart.
+#pragma once
+
+#include "app/panels/panel.h"
+#include "core/inspect/explanation.h"
+
+namespace whorl::app {
+
+/// Draws a card at the cursor with the ends of the ways by Euler, by midpoint and in many small steps, and a
+/// list of how far each ends from the last.
+/// @param h  side of a cell, length
+void draw_way_lens(PanelContext& context, const BaseStep& step, double h);
+
+}  // namespace whorl::app
