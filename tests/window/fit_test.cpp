@@ -163,7 +163,7 @@ TEST_P(FitLessons, ListAndEveryStep) {
     LanesWindow window(ui_, with_lanes(1));
     LessonWalk walk;
     window.view.lessons = true;
-    window.lesson_walk = &walk;
+    window.instead = [&](PanelContext& context) { draw_lesson_panel(context, walk); };
     walk.set_open(true, window.remote);
     for (int frame = 0; frame < 3; ++frame) window.frame();
     expect_whole("list of lessons");

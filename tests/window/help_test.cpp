@@ -6,6 +6,7 @@
 
 #include "app/panels/dialogs.h"
 #include "app/panels/help_overlay.h"
+#include "app/panels/lesson_panel.h"
 #include "app/panels/tour_card.h"
 #include "app/scenes/comparisons.h"
 #include "app/scenes/presets.h"
@@ -150,7 +151,7 @@ TEST_F(Help, IsThereInDialogsTourAndHelp) {
 TEST_F(Help, IsThereInLessons) {
     HeardWindow window(ui_, run_of(presets().front().scene(), 1));
     LessonWalk walk;
-    window.lesson_walk = &walk;
+    window.instead = [&](PanelContext& context) { draw_lesson_panel(context, walk); };
     window.frames_of(3);
     walk.begin(lessons().front(), window.remote, window.view);
     window.frames_of(3);

@@ -8,7 +8,6 @@
 #include "app/labs/labs.h"
 #include "app/panels/control_column.h"
 #include "app/panels/field_area.h"
-#include "app/panels/lesson_panel.h"
 #include "app/panels/measure_column.h"
 #include "app/window/layout.h"
 #include "tests/support/headless_ui.h"
@@ -44,11 +43,8 @@ struct LanesWindow {
             column("field", layout.field, [&] { place = draw_field_area(context); });
             ImGui::PopStyleVar();
             column("measures", layout.measures, [&] {
-                if (lesson_walk != nullptr) {
-                    draw_lesson_panel(context, *lesson_walk);
-                } else {
-                    draw_measure_column(context);
-                }
+                if (instead) return instead(context);
+                draw_measure_column(context);
             });
             draw_labs(context);
             if (over) over(context);
@@ -93,8 +89,8 @@ struct LanesWindow {
     Slabs slabs;
     Layout layout{};
     FieldPlacement place;
-    LessonWalk* lesson_walk = nullptr;        ///< stands where the measures do
-    std::function<void(PanelContext&)> over;  ///< draws what else is on screen
+    std::function<void(PanelContext&)> instead;  ///< of the measures
+    std::function<void(PanelContext&)> over;     ///< draws what else is on screen
 
   private:
     template <class Draw>
