@@ -25,6 +25,8 @@ bool is_control(std::string_view key) {
                                                   "tour-card=",
                                                   "plot=",
                                                   "slice-plot",
+                                                  "line-from=",
+                                                  "line-to=",
                                                   "interpolation-point=",
                                                   "interpolation-region",
                                                   "stencil-particles"};
