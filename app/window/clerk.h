@@ -48,7 +48,7 @@ class Clerk {
 
     Wishes wishes_;
     bool saving_ = false;
-    bool tour_noted_ = false;  ///< once is enough, and so is one complaint
+    bool tour_noted_ = false;                    ///< once is enough, and so is one complaint
     std::unique_ptr<PictureRenderer> renderer_;  ///< made for the first picture
     Chores chores_;
     FilmMaker film_;

@@ -77,7 +77,7 @@ Recording run_of(const Scene& scene, std::size_t lanes) {
 /// So high that no panel is scrolled out of sight.
 class Help : public testing::Test {
   protected:
-    HeadlessUi ui_{1600, 4000, 1};
+    HeadlessUi ui_{1024, 2600, 1};
 };
 
 TEST_F(Help, IsThereForColumnsTabsAndLists) {
@@ -96,7 +96,7 @@ TEST_F(Help, IsThereForColumnsTabsAndLists) {
                                  "limiter", "pressure", "reference"}) {
             if (lanes == 1 && list == std::string_view("reference")) continue;
             window.click(list);
-            window.LanesWindow::click({800, 3900});
+            window.LanesWindow::click({500, 2590});
         }
         window.view.renaming = {.id = window.remote.ids()[0]};
         window.frames_of(3);
