@@ -1,6 +1,6 @@
 #include "app/labs/labs.h"
 
-#include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 
@@ -87,6 +87,21 @@ void draw_labs(PanelContext& context) {
                                                       ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
         ImGui::End();
     }
+}
+
+bool close_top_lab(LabState& state) {
+    bool* top = nullptr;
+    int highest = -1;
+    for (const LabInfo& lab : labs()) {
+        ImGuiWindow* const window = ImGui::FindWindowByName(lab.label);
+        if (!lab.open(state) || window == nullptr) continue;
+        const int height = ImGui::FindWindowDisplayIndex(window);
+        if (height < highest) continue;
+        highest = height;
+        top = &lab.open(state);
+    }
+    if (top != nullptr) *top = false;
+    return top != nullptr;
 }
 
 }  // namespace whorl::app

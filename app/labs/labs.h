@@ -8,6 +8,9 @@ namespace whorl::app {
 /// Draws the open ones, each a window of its own. Call once a frame, between other windows.
 void draw_labs(PanelContext& context);
 
+/// Closes the window of a lab that lies over those of the others. @return whether there was one
+bool close_top_lab(LabState& state);
+
 /// A lab: what its chip says, where its window's state lies, and what fills it.
 struct LabInfo {
     const char* key;

@@ -71,7 +71,7 @@ void controls(PanelContext& context, StencilLab::Choice& choice) {
         slider(theme, id, value, {static_cast<double>(least), static_cast<double>(most)}, "");
         value = std::clamp(value, least, most);
         context.trace.control(id + 2);
-        context.help.item(theme, id, help);
+        context.help.item(theme, id + 2, help);
     };
     whole("ζ", "##stencil-zeta", choice.zeta, 0, SchemeSet::max_zeta, std::floor(0.8f * width),
           {"Parametric size ζ",

@@ -197,6 +197,9 @@ void draw_failure(PanelContext& context, const PixelRect& rect) {
     ImGui::TextWrapped("At %s. The last good state is shown.", failure->c_str());
     if (ImGui::Button("Reset")) context.remote.restart();
     context.trace.control("failure-reset");
+    context.help.item(
+        theme, "failure-reset",
+        {"", "Back to the start of the scene, with the schemes as they are set.", "Key: R", "", ""});
     ImGui::EndChild();
     ImGui::PopStyleColor(2);
 }
@@ -266,6 +269,7 @@ FieldPlacement draw_field_area(PanelContext& context) {
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const float header = field_header_height(theme, several);
+    const float edge = theme.px(2);  // a column's is its border
 
     FieldPlacement place;
     place.window = context.view.window;
@@ -278,7 +282,7 @@ FieldPlacement draw_field_area(PanelContext& context) {
         const PixelRect rect{static_cast<int>(corner.x), static_cast<int>(corner.y + header),
                              std::max(1, static_cast<int>(room.x)),
                              std::max(1, static_cast<int>(room.y - header))};
-        draw_field_header(context, place, corner, room.x);
+        draw_field_header(context, place, {corner.x + edge, corner.y}, room.x - 2 * edge);
         context.trace.place("field", corner.x, corner.y + header, room.x, room.y - header);
         ImGui::SetCursorScreenPos({static_cast<float>(rect.x), static_cast<float>(rect.y)});
         draw_curve_view(context, {static_cast<float>(rect.width), static_cast<float>(rect.height)});
@@ -310,7 +314,7 @@ FieldPlacement draw_field_area(PanelContext& context) {
     if (context.view.compare == Compare::Wipe && place.tiles.size() == 2) divide(place, context.view.wipe);
 
     // A narrow field leaves room for its header on both sides.
-    const float header_width = std::max(width, std::min(room.x, theme.px(520)));
+    const float header_width = std::max(width, std::min(room.x - 2 * edge, theme.px(520)));
     draw_field_header(context, place, {std::floor(corner.x + 0.5f * (room.x - header_width)), corner.y},
                       header_width);
     const PixelRect& first = place.tiles.front().rect;

@@ -161,19 +161,25 @@ void draw_field_header(PanelContext& context, const FieldPlacement& place, ImVec
     ImGui::PopFont();
     const bool reads =
         draw_reading(context, place, corner.x + width, corner.y + theme.px(3), width - used - theme.px(12));
-    if (!reads && !view.unit.empty()) {
-        ImGui::SetCursorScreenPos({corner.x + used + theme.px(8), corner.y + theme.px(4)});
-        ImGui::PushFont(theme.small);
-        text(theme.palette.text_dim, view.unit);
-        ImGui::PopFont();
-    }
+    float title_end = corner.x + used + theme.px(8);
     ImGui::PushFont(theme.small);
+    if (!reads && !view.unit.empty()) {
+        ImGui::SetCursorScreenPos({title_end, corner.y + theme.px(4)});
+        text(theme.palette.text_dim, view.unit);
+        title_end += ImGui::GetItemRectSize().x + theme.px(12);
+    }
     const float line = corner.y + theme.title->FontSize + theme.px(6);
-    const float left = draw_chips(context, place, corner.x + width, line);
-    const bool chips = context.names.size() > 1;
-    ImGui::SetCursorScreenPos({corner.x, line + (chips ? ImGui::GetStyle().FramePadding.y : 0)});
-    text(theme.palette.text_dim,
-         hints(context.snapshot(), context.view.labs.inspector.open, left - corner.x - theme.px(8)));
+    const float right = corner.x + width;
+    const bool inspecting = context.view.labs.inspector.open;
+    const float left = draw_chips(context, place, right, line);
+    if (context.names.size() == 1) {
+        ImGui::SetCursorScreenPos({corner.x, line});
+        text(theme.palette.text_dim, hints(context.snapshot(), inspecting, left - corner.x - theme.px(8)));
+    } else if (!reads) {  // the line below is the lanes'
+        const char* const hint = hints(context.snapshot(), inspecting, right - title_end);
+        ImGui::SetCursorScreenPos({right - ImGui::CalcTextSize(hint).x, corner.y + theme.px(4)});
+        text(theme.palette.text_dim, hint);
+    }
     ImGui::PopFont();
 }
 

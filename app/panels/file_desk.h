@@ -43,6 +43,8 @@ struct FileDesk {
     bool cancel_film = false;
     std::optional<FilmOptions> make_film;
     std::optional<std::string> open;  ///< a name as find_run takes it
+    /// What became of the last name to open: empty if it was opened, else why not.
+    std::optional<std::string> open_outcome;
 
     PictureOptions picture;
     FilmOptions film;                     ///< as the dialog is set
@@ -54,7 +56,9 @@ struct FileDesk {
     bool dialog = false;  ///< one is on screen: keys are not for the run
     bool enter = false;   ///< the key was pressed since the last frame, however briefly
     bool escape = false;
-    std::string path;  ///< typed
+    std::string path;        ///< typed
+    bool opening = false;    ///< the path was chosen, and nothing has become of it yet
+    std::string open_error;  ///< why the path was not opened
     std::vector<RunEntry> entries;
     bool has_ffmpeg = false;  ///< when the dialog came up
 };

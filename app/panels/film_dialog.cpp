@@ -91,9 +91,16 @@ void draw_film_dialog(PanelContext& context) {
     }
     ImGui::EndDisabled();
     context.trace.control("film-do");
+    context.help.item(
+        theme, "film-do",
+        {"",
+         "Works the run out again, beside the window, and writes it into the folder the program "
+         "was started in.",
+         "Key: Enter", "", ""});
     ImGui::SameLine();
     if (ImGui::Button("Cancel", {width, 0})) ImGui::CloseCurrentPopup();
     context.trace.control("film-close");
+    context.help.item(theme, "film-close", {"", "Makes no animation.", "Key: Esc", "", ""});
     ImGui::EndPopup();
 }
 

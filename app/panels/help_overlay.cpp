@@ -40,7 +40,7 @@ constexpr Row keys[] = {
     {"L", "lessons; Page Up and Down turn their steps"},
     {"F12", "picture as PNG, which carries the run"},
     {"H", "this help"},
-    {"Esc", "close this"},
+    {"Esc", "close this, a dialog or the top lab"},
     {"Q, Ctrl+Q", "quit"},
 };
 
@@ -68,6 +68,8 @@ void draw_help_overlay(PanelContext& context) {
     ImGui::Begin("help", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove);
+    // All of it fits the least window.
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(theme.px(8), theme.px(4)));
     rows(theme, "Mouse, over the field", mouse);
     ImGui::Dummy({0, theme.px(6)});
     rows(theme, "Keys", keys);
@@ -77,6 +79,7 @@ void draw_help_overlay(PanelContext& context) {
     const bool on_tour = ImGui::IsItemHovered();
     context.trace.control("help-tour");
     context.help.item(theme, "help-tour", {"", "The tour of the first start again.", "", "", ""});
+    ImGui::PopStyleVar();
     ImGui::End();
     ImGui::PopStyleVar();
     if (!ImGui::IsMouseClicked(0)) return;

@@ -17,6 +17,7 @@ void line(ImU32 colour, std::string_view text) {
 }  // namespace
 
 void HoverHelp::item(const Theme& theme, std::string_view key, const HelpText& help) {
+    if (heard) heard(key, help);
     if (ImGui::IsItemActive()) return;
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
     seen_ = true;

@@ -1,6 +1,7 @@
 // Help that appears when the pointer rests on a control.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -24,6 +25,8 @@ class HoverHelp {
     void item(const Theme& theme, std::string_view key, const HelpText& help);
     /// Call once a frame, after everything.
     void end_frame();
+    /// Is told of every item, for a test that looks for controls without help.
+    std::function<void(std::string_view key, const HelpText& help)> heard;
 
   private:
     std::string resting_on_;

@@ -118,7 +118,7 @@ void lane_row(PanelContext& context, std::size_t lane, const std::string& name, 
     context.trace.control(key);
     const bool reference = static_cast<int>(lane) == remote.setup().reference;
     context.help.item(theme, key,
-                      {name, differs, "Click to select, double-click to rename", "",
+                      {name, said_of(differs), "Click to select, double-click to rename", "",
                        reference ? "The reference lane: the others are measured against it." : ""});
 
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -275,10 +275,18 @@ void reference_list(PanelContext& context, const LaneNames& names) {
     if (ImGui::BeginCombo("##reference", fitted(shown, room).c_str())) {
         if (ImGui::Selectable("None", chosen == no_reference)) choose(no_reference);
         context.trace.control("reference=none");
+        context.help.item(context.theme, "reference=none",
+                          {"None",
+                           "Differences are from the first lane. Errors are against the exact solution, "
+                           "where one is known.",
+                           "", "", ""});
         for (std::size_t k = 0; k < names.size(); ++k) {
             const std::string id = names.name(k) + "##" + std::to_string(k);
             if (ImGui::Selectable(id.c_str(), chosen == static_cast<int>(k))) choose(static_cast<int>(k));
-            context.trace.control("reference=" + std::to_string(k + 1));
+            const std::string key = "reference=" + std::to_string(k + 1);
+            context.trace.control(key);
+            context.help.item(context.theme, key,
+                              {names.name(k), "The others are measured against this lane.", "", "", ""});
         }
         ImGui::EndCombo();
     }

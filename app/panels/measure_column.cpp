@@ -92,12 +92,15 @@ void lane_legend(PanelContext& context) {
 }
 
 void tab_chips(PanelContext& context) {
-    const float gap = ImGui::GetStyle().ItemSpacing.x;
-    const float width = std::floor((ImGui::GetContentRegionAvail().x - 3 * gap) / 4);
+    const float gap = std::floor(0.5f * ImGui::GetStyle().ItemSpacing.x);
+    std::vector<const char*> labels;
+    for (const Tab& tab : tabs) labels.push_back(tab.label);
+    const std::vector<float> widths = shared_widths(labels, ImGui::GetContentRegionAvail().x, gap);
     for (const Tab& tab : tabs) {
-        if (&tab != tabs) ImGui::SameLine();
+        if (&tab != tabs) ImGui::SameLine(0, gap);
         const bool chosen = context.measures.tab == tab.tab;
-        if (chip(context.theme, tab.label, chosen, width)) context.measures.tab = tab.tab;
+        if (chip(context.theme, tab.label, chosen, widths[static_cast<std::size_t>(&tab - tabs)]))
+            context.measures.tab = tab.tab;
         const std::string key = "tab=" + std::string(tab.label);
         context.trace.control(key);
         context.help.item(context.theme, key, {tab.label, tab.help, "", "", ""});

@@ -16,8 +16,21 @@ namespace {
 constexpr std::size_t most_entries = 500;
 
 void choose(PanelContext& context) {
-    context.files.open = context.files.path;
-    ImGui::CloseCurrentPopup();
+    FileDesk& files = context.files;
+    files.open = files.path;
+    files.open_outcome.reset();
+    files.open_error.clear();
+    files.opening = true;
+}
+
+/// Closes the dialog once the path has been opened.
+/// @return whether it just turned out that it cannot be opened: another one is typed then
+bool has_failed(FileDesk& files) {
+    if (!files.opening || !files.open_outcome) return false;
+    files.opening = false;
+    files.open_error = *std::exchange(files.open_outcome, {});
+    if (files.open_error.empty()) ImGui::CloseCurrentPopup();
+    return !files.open_error.empty();
 }
 
 void list(PanelContext& context) {
@@ -31,7 +44,10 @@ void list(PanelContext& context) {
             files.path = entry.name;
             if (ImGui::IsMouseDoubleClicked(0)) choose(context);
         }
-        context.trace.control("open=" + entry.name);
+        const std::string key = "open=" + entry.name;
+        context.trace.control(key);
+        context.help.item(theme, key,
+                          {entry.name, entry.title, "Click to choose, double-click to open", "", ""});
         ImGui::SameLine(theme.px(8));
         text(theme.palette.text, entry.name);
         ImGui::SameLine(0, theme.px(12));
@@ -87,28 +103,41 @@ void draw_open_dialog(PanelContext& context) {
     if (std::exchange(files.ask_open, false)) {
         files.entries = runs_here();
         files.path.clear();
+        files.open_error.clear();
+        files.opening = false;
         ImGui::OpenPopup("Open");
     }
     if (!begin_dialog(context, "Open", 560)) return;
+    const bool failed = has_failed(files);
     text(theme.palette.text_dim, "A preset, a scene or run (.toml), or a picture of Whorl (.png)");
     list(context);
     ImGui::SetNextItemWidth(-FLT_MIN);
-    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
-    ImGui::InputTextWithHint("##path", "name or path of a file", &files.path);
+    if (ImGui::IsWindowAppearing() || failed) ImGui::SetKeyboardFocusHere();
+    if (ImGui::InputTextWithHint("##path", "name or path of a file", &files.path)) files.open_error.clear();
     context.trace.control("open-path");
     context.help.item(
         theme, "open-path",
         {"Path", "A preset's name, or the path of a file. Files can also be dropped on the window.", "", "",
          ""});
+    if (!files.open_error.empty()) {
+        ImGui::PushTextWrapPos(0);
+        text(theme.palette.accent, files.open_error);
+        ImGui::PopTextWrapPos();
+    }
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     const float width = std::floor((ImGui::GetContentRegionAvail().x - gap) / 2);
-    ImGui::BeginDisabled(files.path.empty());
-    if (ImGui::Button("Open", {width, 0}) || (files.enter && !files.path.empty())) choose(context);
+    const bool can = !files.path.empty() && !files.opening;
+    ImGui::BeginDisabled(!can);
+    if (ImGui::Button("Open", {width, 0}) || (files.enter && can)) choose(context);
     ImGui::EndDisabled();
     context.trace.control("open-do");
+    context.help.item(
+        theme, "open-do",
+        {"", "Begins the preset, the scene or the run in the place of this one.", "Key: Enter", "", ""});
     ImGui::SameLine();
     if (ImGui::Button("Cancel", {width, 0})) ImGui::CloseCurrentPopup();
     context.trace.control("open-cancel");
+    context.help.item(theme, "open-cancel", {"", "Leaves the run as it is.", "Key: Esc", "", ""});
     ImGui::EndPopup();
 }
 

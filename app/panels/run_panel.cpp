@@ -26,7 +26,8 @@ void transport(PanelContext& context) {
     if (ImGui::Button(playing ? "Pause###play" : "Play###play", {width, 0})) context.remote.play(!playing);
     ImGui::PopStyleColor(4);
     context.trace.control("play");
-    context.help.item(context.theme, "play", {"", "Space", "", "", ""});
+    context.help.item(context.theme, "play",
+                      {"", "Lets the run go on, or stands it still.", "Key: Space", "", ""});
     ImGui::SameLine();
     if (ImGui::Button("Step", {width, 0})) context.remote.step();
     context.trace.control("step");

@@ -106,20 +106,41 @@ void sort(std::vector<Row>& rows, std::span<const Column> columns) {
     });
 }
 
+/// The arrow of a sorted column, as ImGui draws it at the right end of the head.
+float arrow_width() {
+    return std::ceil(0.65f * ImGui::GetFontSize()) + ImGui::GetStyle().FramePadding.x;
+}
+
+/// Numbers have heads that are right-aligned as they are. ImGui's own would leave room for the arrow always.
 void head(PanelContext& context, const char* table, const char* label, const char* help, bool numbers) {
-    if (numbers) {  // right-aligned as they are, with room for the arrow
-        const bool sorted = (ImGui::TableGetColumnFlags() & ImGuiTableColumnFlags_IsSorted) != 0;
-        const float arrow = sorted ? 1.2f * ImGui::GetFontSize() : 1;
-        const float free = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(label).x - arrow;
-        ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, free));
-    }
-    ImGui::TableHeader(label);
+    const bool sorted = (ImGui::TableGetColumnFlags() & ImGuiTableColumnFlags_IsSorted) != 0;
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float free = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(label).x;
+    ImGui::TableHeader(("##" + std::string(label)).c_str());
     const std::string key = std::string(table) + "=" + label;
     context.trace.control(key);
     context.help.item(context.theme, key, {label, help, "Click to sort.", "", ""});
+    const float left = numbers ? std::max(0.0f, free - (sorted ? arrow_width() : 0)) : 0;
+    ImGui::GetWindowDrawList()->AddText({std::floor(corner.x + left), corner.y}, context.theme.palette.text,
+                                        label);
 }
 
+/// Of a column of numbers, pixels: its head with the arrow, and four digits with an exponent.
+float number_width(const Theme& theme, const char* label) {
+    return std::max(std::ceil(ImGui::CalcTextSize(label).x) + arrow_width(), theme.px(46));
+}
+
+/// The lanes' column takes what the numbers leave.
 void heads(PanelContext& context, const Group& group) {
+    const Theme& theme = context.theme;
+    ImGui::PushFont(theme.small);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(theme.px(2), ImGui::GetStyle().FramePadding.y));
+    ImGui::TableSetupColumn(group.title,
+                            ImGuiTableColumnFlags_WidthStretch | ImGuiTableColumnFlags_DefaultSort);
+    for (const Column& column : group.columns)
+        ImGui::TableSetupColumn(column.label,
+                                ImGuiTableColumnFlags_WidthFixed | ImGuiTableColumnFlags_PreferSortDescending,
+                                number_width(theme, column.label));
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
     ImGui::TableSetColumnIndex(0);
     head(context, group.title, group.title, "In the order of the lanes.", false);
@@ -127,6 +148,8 @@ void heads(PanelContext& context, const Group& group) {
         ImGui::TableSetColumnIndex(static_cast<int>(k + 1));
         head(context, group.title, group.columns[k].label, group.columns[k].help, true);
     }
+    ImGui::PopStyleVar();
+    ImGui::PopFont();
 }
 
 void lane_cell(PanelContext& context, std::size_t place, const std::string& title) {
@@ -138,7 +161,9 @@ void lane_cell(PanelContext& context, std::size_t place, const std::string& titl
                                               {at.x + side, middle + 0.5f * side},
                                               theme.lane(static_cast<int>(place)), theme.px(2));
     ImGui::SetCursorScreenPos({at.x + side + theme.px(6), at.y});
-    text(theme.palette.text, fitted(title, ImGui::GetContentRegionAvail().x));
+    const float room = ImGui::GetContentRegionAvail().x;
+    // The colour says enough where there is no room for some letters.
+    text(theme.palette.text, room > theme.px(24) ? fitted(title, room) : std::string());
     const std::string key = "table-lane=" + std::to_string(place);
     context.help.item(theme, key, {title, "", "", "", ""});
 }
@@ -166,13 +191,13 @@ void draw_group(PanelContext& context, const Group& group) {
     for (std::size_t k = 0; k < moment.lanes.size(); ++k) rows.push_back({k, &moment.lanes[k].measures});
 
     constexpr ImGuiTableFlags flags = ImGuiTableFlags_Sortable | ImGuiTableFlags_RowBg |
-                                      ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_SizingStretchProp |
+                                      ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_SizingFixedFit |
                                       ImGuiTableFlags_NoSavedSettings;
-    constexpr float lane_share = 1.6f;  // of a column's width
-    if (!ImGui::BeginTable(group.title, static_cast<int>(group.columns.size()) + 1, flags)) return;
-    ImGui::TableSetupColumn(group.title, ImGuiTableColumnFlags_DefaultSort, lane_share);
-    for (const Column& column : group.columns)
-        ImGui::TableSetupColumn(column.label, ImGuiTableColumnFlags_PreferSortDescending, 1);
+    const Theme& theme = context.theme;
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(theme.px(3), ImGui::GetStyle().CellPadding.y));
+    const bool open = ImGui::BeginTable(group.title, static_cast<int>(group.columns.size()) + 1, flags);
+    ImGui::PopStyleVar();
+    if (!open) return;
     heads(context, group);
     sort(rows, group.columns);
     for (const Row& row : rows) {

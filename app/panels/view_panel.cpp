@@ -48,7 +48,14 @@ void map_list(PanelContext& context) {
             if (ImGui::Selectable(std::string(map.label).c_str(), map.key == chosen.key)) {
                 context.view.choose(map);
             }
-            context.trace.control("map=" + std::string(map.key));
+            const std::string key = "map=" + std::string(map.key);
+            context.trace.control(key);
+            context.help.item(
+                context.theme, key,
+                {map.label,
+                 map.kind == ColourMap::Kind::Diverging ? "From one hue over the neutral value to another."
+                                                        : "From the least value to the greatest.",
+                 "", "", ""});
         }
         ImGui::EndCombo();
     }

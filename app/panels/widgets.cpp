@@ -76,6 +76,17 @@ bool heading(const Theme& theme, const char* title, bool open_at_first) {
     return open;
 }
 
+std::vector<float> shared_widths(std::span<const char* const> labels, float room, float gap) {
+    std::vector<float> widths;
+    float free = room - gap * (static_cast<float>(labels.size()) - 1);
+    for (const char* label : labels) {
+        widths.push_back(width_of(label));
+        free -= widths.back();
+    }
+    for (float& width : widths) width = std::floor(width + free / static_cast<float>(labels.size()));
+    return widths;
+}
+
 bool chip(const Theme& theme, const char* label, bool chosen, float width) {
     const Palette& p = theme.palette;
     ImGui::PushStyleColor(ImGuiCol_Button, chosen ? p.accent : p.frame);

@@ -1,8 +1,10 @@
 // Small pieces that all panels are laid out with.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "app/render/theme.h"
 
@@ -19,6 +21,10 @@ std::string fitted(std::string_view text, float width);
 
 /// A foldable heading. @return whether what is below it is to be drawn
 bool heading(const Theme& theme, const char* title, bool open_at_first);
+
+/// Widths of labels' controls in a line: what is free of `room` goes to all of them alike.
+/// @param gap  between two of them
+std::vector<float> shared_widths(std::span<const char* const> labels, float room, float gap);
 
 /// A button that shows whether it is chosen.
 bool chip(const Theme& theme, const char* label, bool chosen, float width);

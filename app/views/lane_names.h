@@ -25,4 +25,9 @@ class LaneNames {
     std::vector<std::string> names_, differences_;
 };
 
+/// A lane's difference in words, where there may be none.
+inline std::string_view said_of(std::string_view difference) {
+    return difference.empty() ? "The scene as it is set for all lanes." : difference;
+}
+
 }  // namespace whorl::app

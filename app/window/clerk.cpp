@@ -144,9 +144,12 @@ void Clerk::open(PanelContext& context) {
                 context.remote.play(false);
                 notices.info("Opened " + opened.name + (step > 0 ? " at step " + std::to_string(step) : ""));
             }
+            context.files.open_outcome = "";
             context.trace.event("opened", opened.name);
         } catch (const std::exception& e) {
-            notices.warn(std::string("Not opened: ") + e.what());
+            context.files.open_outcome = e.what();
+            // The dialog that asked for it says why.
+            if (!context.files.dialog) notices.warn(std::string("Not opened: ") + e.what());
             context.trace.event("opened-failed", e.what());
         }
     }

@@ -12,7 +12,7 @@ namespace {
 constexpr float margin = 12;
 constexpr float controls_least = 256, controls_share = 0.215f, controls_most = 344;
 constexpr float field_least = 400;  // for the lines above it
-constexpr float measures_least = 226, measures_share = 0.235f, measures_usual = 388, measures_most = 620;
+constexpr float measures_least = 240, measures_share = 0.235f, measures_usual = 388, measures_most = 620;
 
 }  // namespace
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace whorl::app {
 
@@ -45,6 +46,13 @@ class Places {
         if (known == places_.end() || known->second.frame + 1 < frame_) return {};
         const Place& seen = known->second.seen;
         return seen.width > 0 && seen.height > 0 ? std::optional(seen) : std::nullopt;
+    }
+
+    /// The names of all that was ever drawn.
+    std::vector<std::string> names() const {
+        std::vector<std::string> all;
+        for (const auto& [name, known] : places_) all.push_back(name);
+        return all;
     }
 
   private:

@@ -5,6 +5,7 @@
 #include <sys/resource.h>
 
 #include <future>
+#include <utility>
 
 #include "app/labs/labs.h"
 #include "app/panels/control_column.h"
@@ -145,16 +146,20 @@ void Workbench::press_key(const InputEvent& event) {
     if (!ImGui::GetIO().WantTextInput && !files_.dialog) travel(event.code);
     if (event.repeated) return;
     if (event.code == GLFW_KEY_F12) files_.take_picture = true;
-    if (event.code == GLFW_KEY_ESCAPE) {
-        files_.escape = true;
-        view_.help = false;
-    }
+    if (event.code == GLFW_KEY_ESCAPE) escape();
     if (event.code == GLFW_KEY_TAB && !ImGui::GetIO().WantTextInput) view_.peek = true;
     if (event.code == GLFW_KEY_ENTER || event.code == GLFW_KEY_KP_ENTER) files_.enter = true;
     if ((event.mods & GLFW_MOD_CONTROL) == 0) return;
     if (event.code == GLFW_KEY_S) files_.save_run = true;
     if (event.code == GLFW_KEY_O) files_.ask_open = true;
     if (event.code == GLFW_KEY_Q) window_.close();
+}
+
+/// Closes what lies on top.
+void Workbench::escape() {
+    files_.escape = true;
+    if (files_.dialog || ImGui::GetIO().WantTextInput) return;
+    if (!std::exchange(view_.help, false)) close_top_lab(view_.labs);
 }
 
 /// Along the timeline.

@@ -31,6 +31,7 @@ class Workbench {
   private:
     void act_on(const InputEvent& event);
     void press_key(const InputEvent& event);
+    void escape();
     void travel(int key);
     void type(const InputEvent& event);
     void take_run();

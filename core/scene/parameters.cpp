@@ -192,7 +192,7 @@ void add_schemes(Table& t) {
 
 void add_forces(Table& t) {
     t.push_back(value_row(
-        {"alpha", "α  weight of smoke", "acceleration/density", "Dense smoke sinks.", "Fedkiw et al. eq. 4"},
+        {"alpha", "α  weight", "acceleration/density", "Dense smoke sinks.", "Fedkiw et al. eq. 4"},
         Group::Forces, {-1000, 1000, 0, 10}, [](Scene& s) -> double& { return s.alpha; }));
     t.push_back(value_row(
         {"beta", "β  lift of heat", "acceleration/degree", "Warm smoke rises.", "Fedkiw et al. eq. 4"},

@@ -120,6 +120,11 @@ until_ step "==" 0
 say "Home goes back to the start"
 xdotool key ctrl+o
 click open-path
+xdotool type --delay 50 nowhere.png
+xdotool key Return
+until_seen '"event":"opened-failed"'
+xdotool key Escape sleep 0.3 key ctrl+o
+click open-path
 xdotool type --delay 50 whorl-0001.png
 xdotool key Return
 until_seen '"event":"opened"'
@@ -135,6 +140,17 @@ say "a picture opened again is the same picture"
 "$whorl" run whorl-0001.png --threads 1 >"$work/replay" 2>&1 || fail "$(cat "$work/replay")"
 grep -q "the same bits as were recorded" "$work/replay" || fail "$(cat "$work/replay")"
 say "without a window it has the same bits"
+
+xdotool mousemove "$(part panel=Lanes x)" "$(part panel=Lanes y)" click --repeat 60 --delay 10 5 sleep 0.3
+click lab=stencil
+until_seen '"key":"lab-window=stencil"'
+xdotool key Escape
+sleep 0.5
+before=$(value brush_radius)
+xdotool mousemove "$(part lab-window=stencil x)" "$(part lab-window=stencil y)" sleep 0.3 click 4
+until_ brush_radius ">" "$before"
+xdotool mousemove "$(part lab=stencil x)" "$(part lab=stencil y)" click --repeat 60 --delay 10 4 sleep 0.3
+say "Esc closes a lab, and the field below takes the wheel again"
 
 click comparison
 click comparison=one

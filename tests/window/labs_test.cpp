@@ -30,6 +30,26 @@ IntervalReport of_figure(std::size_t data_set, bool clamped = false) {
     return report_on(row_of(data.values), Interpolations::of<Interpolation>(), clamped, data.interval);
 }
 
+TEST(Labs, CloseFromTheTopDown) {
+    HeadlessUi ui(1600, 1000, 1);
+    LanesWindow window(ui, {});
+    LabState& labs = window.view.labs;
+    EXPECT_FALSE(close_top_lab(labs)) << "none has been open yet";
+    labs.stencil.open = true;
+    window.frame();
+    labs.interpolation.open = true;
+    window.frame();
+    ImGui::SetWindowFocus("Stencil lab");
+    window.frame();
+    EXPECT_TRUE(close_top_lab(labs));
+    EXPECT_FALSE(labs.stencil.open);
+    EXPECT_TRUE(labs.interpolation.open);
+    window.frame();
+    EXPECT_TRUE(close_top_lab(labs));
+    EXPECT_FALSE(labs.interpolation.open);
+    EXPECT_FALSE(close_top_lab(labs));
+}
+
 TEST(InterpolationLab, SaysWhatFigure35Says) {
     // (a): monotone Catmull-Rom has a slight trough, Bridson's cubic undershoots, between 6 and 7.
     EXPECT_EQ(data_sets()[0].interval, 6);

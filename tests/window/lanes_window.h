@@ -42,7 +42,10 @@ struct LanesWindow {
             ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
             column("field", layout.field, [&] { place = draw_field_area(context); });
             ImGui::PopStyleVar();
-            column("measures", layout.measures, [&] { draw_measure_column(context); });
+            column("measures", layout.measures, [&] {
+                if (instead) return instead(context);
+                draw_measure_column(context);
+            });
             draw_labs(context);
             if (over) over(context);
             hover.end_frame();
@@ -86,7 +89,8 @@ struct LanesWindow {
     Slabs slabs;
     Layout layout{};
     FieldPlacement place;
-    std::function<void(PanelContext&)> over;  ///< draws what else is on screen
+    std::function<void(PanelContext&)> instead;  ///< of the measures
+    std::function<void(PanelContext&)> over;     ///< draws what else is on screen
 
   private:
     template <class Draw>

@@ -1,0 +1,170 @@
+// Every control has help that says what it means.
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+#include "app/panels/dialogs.h"
+#include "app/panels/help_overlay.h"
+#include "app/panels/lesson_panel.h"
+#include "app/panels/tour_card.h"
+#include "app/scenes/comparisons.h"
+#include "app/scenes/presets.h"
+#include "core/experiments/experiment.h"
+#include "tests/window/lanes_window.h"
+
+namespace whorl::app {
+namespace {
+
+/// Places that are no controls, and drawings that tell the values under the pointer instead.
+bool is_control(std::string_view key) {
+    static constexpr std::string_view others[] = {"field",
+                                                  "field=",
+                                                  "panel=",
+                                                  "lab-window=",
+                                                  "tour-card=",
+                                                  "plot=",
+                                                  "slice-plot",
+                                                  "line-from=",
+                                                  "line-to=",
+                                                  "interpolation-point=",
+                                                  "interpolation-region",
+                                                  "stencil-particles"};
+    for (const std::string_view other : others) {
+        if (key == other || (other.back() == '=' && key.starts_with(other))) return false;
+    }
+    return true;
+}
+
+/// A window that writes down which of its controls say what they are for.
+struct HeardWindow : LanesWindow {
+    HeardWindow(HeadlessUi& headless, Recording recording) : LanesWindow(headless, std::move(recording)) {
+        hover.heard = [this](std::string_view key, const HelpText& help) {
+            if (!help.text.empty() || !help.warning.empty()) heard.emplace(key);
+        };
+        over = [](PanelContext& context) {
+            draw_open_dialog(context);
+            draw_film_dialog(context);
+            draw_tour(context);
+            draw_help_overlay(context);
+        };
+    }
+    void frames_of(int count) {
+        for (int k = 0; k < count; ++k) frame();
+    }
+    void click(const std::string& key) {
+        frames_of(2);
+        const auto where = trace.places().in_sight(key);
+        ASSERT_TRUE(where) << key;
+        LanesWindow::click({where->x + 0.5f * where->width, where->y + 0.5f * where->height});
+        frames_of(2);
+    }
+    void expect_help(const std::string& what) const {
+        for (const std::string& key : trace.places().names()) {
+            EXPECT_TRUE(heard.count(key) > 0 || !is_control(key)) << what << ": " << key << " says nothing";
+        }
+    }
+
+    std::set<std::string, std::less<>> heard;
+};
+
+Recording run_of(const Scene& scene, std::size_t lanes) {
+    Recording run{.setup = {.scene = scene, .lanes = std::vector<LaneSetup>(lanes)}};
+    run.setup.scene.resolution = 16;
+    return run;
+}
+
+/// So high that no panel is scrolled out of sight.
+class Help : public testing::Test {
+  protected:
+    HeadlessUi ui_{1600, 4000, 1};
+};
+
+TEST_F(Help, IsThereForColumnsTabsAndLists) {
+    for (const std::size_t lanes : {1u, 2u, 6u}) {
+        HeardWindow window(ui_, run_of(presets().front().scene(), lanes));
+        window.click("panel=Picture");
+        for (const MeasureTab tab :
+             {MeasureTab::Plots, MeasureTab::Spectrum, MeasureTab::Budget, MeasureTab::Table}) {
+            window.measure_view.tab = tab;
+            window.frames_of(3);
+        }
+        window.view.window = {{0.25f, 0.25f}, {0.75f, 0.75f}};
+        window.frames_of(2);
+        // Each list opens over the others, and closes at a click beside it.
+        for (const char* list : {"scene", "comparison", "map", "advector", "interpolation", "tracer",
+                                 "limiter", "pressure", "reference"}) {
+            if (lanes == 1 && list == std::string_view("reference")) continue;
+            window.click(list);
+            window.LanesWindow::click({800, 3900});
+        }
+        window.view.renaming = {.id = window.remote.ids()[0]};
+        window.frames_of(3);
+        EXPECT_GT(window.heard.size(), 60u);
+        window.expect_help(std::to_string(lanes) + " lanes");
+    }
+}
+
+TEST_F(Help, IsThereInEveryExperiment) {
+    for (const Experiment& e : experiments()) {
+        Scene scene = scene_of(e);
+        set_parameter(scene, "linked=false");
+        HeardWindow window(ui_, run_of(scene, 1));
+        window.frames_of(4);
+        window.expect_help(std::string(e.info.key));
+    }
+}
+
+TEST_F(Help, IsThereInLabs) {
+    for (const LabInfo& lab : labs()) {
+        HeardWindow window(ui_, run_of(presets().front().scene(), 2));
+        lab.open(window.view.labs) = true;
+        window.frames_of(4);
+        window.expect_help(std::string(lab.label));
+    }
+}
+
+TEST_F(Help, IsThereInDialogsTourAndHelp) {
+    HeardWindow window(ui_, run_of(presets().front().scene(), 1));
+    window.files.ask_open = true;
+    window.frames_of(3);
+    window.files.escape = true;
+    window.frame();
+    window.files.escape = false;
+    window.files.ask_film = true;
+    window.frames_of(3);
+    window.files.escape = true;
+    window.frame();
+    window.files.escape = false;
+    window.files.filming = FilmProgress{"film.mp4", 1};
+    window.files.dialog = false;
+    window.view.tour.begin();
+    while (window.view.tour.running()) {
+        window.frames_of(4);
+        window.view.tour.next();
+    }
+    window.view.help = true;
+    window.frames_of(3);
+    for (const char* key : {"open-do", "film-do", "tour-next", "help-tour"})
+        EXPECT_TRUE(window.heard.count(key)) << key << " was not drawn";
+    window.expect_help("dialogs");
+}
+
+TEST_F(Help, IsThereInLessons) {
+    HeardWindow window(ui_, run_of(presets().front().scene(), 1));
+    LessonWalk walk;
+    window.instead = [&](PanelContext& context) { draw_lesson_panel(context, walk); };
+    window.frames_of(3);
+    walk.begin(lessons().front(), window.remote, window.view);
+    window.frames_of(3);
+    while (!walk.last()) walk.next(window.remote, window.view);
+    window.frames_of(3);
+    walk.begin(lessons().back(), window.remote, window.view);
+    while (!walk.last()) walk.next(window.remote, window.view);
+    window.frames_of(3);
+    EXPECT_TRUE(window.heard.count("lesson-next"));
+    window.expect_help("lessons");
+}
+
+}  // namespace
+}  // namespace whorl::app
