@@ -41,6 +41,8 @@ void Remote::begin_frame() {
     const int run = session_ != nullptr ? session_->run : 0;
     const std::size_t place = session_ != nullptr ? selected() : 0;
     const std::size_t before = session_ != nullptr ? other() : 0;
+    // First: where nothing is sought any more, the newest snapshot shows it.
+    sought_ = player_.sought();
     session_ = &player_.newest();
     if (session_->run != run) {
         // Another run numbers its lanes anew: what was selected stays by its place.
@@ -209,7 +211,9 @@ bool Remote::arrange(Arrange arrange, std::optional<std::size_t> select) {
 
 void Remote::load(std::string_view key, Recording recording, bool set_aside) {
     try {
+        const long step = recording.step;
         player_.load(std::move(recording), set_aside);
+        sought_ = step;
         ++loads_;
         loaded_ = key;
         pending_.clear();

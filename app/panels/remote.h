@@ -76,8 +76,12 @@ class Remote {
     void play(bool playing) { player_.play(playing); }
     bool playing() const { return player_.playing(); }
     void step() { player_.step_once(); }
-    void seek(long step) { player_.seek(step); }
-    std::optional<long> sought() const { return player_.sought(); }
+    void seek(long step) {
+        player_.seek(step);
+        sought_ = step;
+    }
+    /// The step that session() is on its way to, if any.
+    std::optional<long> sought() const { return sought_; }
     void watch(const Watch& watch) { player_.watch(watch); }
     /// Asks for the present moment and the run up to it, see Player.
     void save() { player_.save(); }
@@ -104,6 +108,7 @@ class Remote {
     Player& player_;
     Notices& notices_;
     const SessionSnapshot* session_ = nullptr;
+    std::optional<long> sought_;
     Setup setup_;
     Scene scene_;
     std::string loaded_;

@@ -67,6 +67,7 @@ void Player::seek(long step) {
 
 std::optional<long> Player::sought() const {
     const std::lock_guard lock(mutex_);
+    if (loading_) return loading_;
     return rewind_to_ ? rewind_to_ : target_;
 }
 
@@ -99,6 +100,7 @@ std::uint64_t Player::push(Command command) {
 void Player::load(Recording recording, bool set_aside) {
     lane_scenes(recording.setup);
     const std::lock_guard lock(mutex_);
+    loading_ = recording.step;
     next_ = std::move(recording);
     sets_aside_ = sets_aside_ || set_aside;
     taken_ += commands_.size();
@@ -192,13 +194,16 @@ void Player::begin(Lock& lock) {
         complaint = e.what();
     }
     lock.lock();
-    if (!complaint.empty()) {
+    if (complaint.empty()) {
+        if (before) set_aside_ = std::move(before);
+        target_.reset();
+        if (session_->last_step() > 0) target_ = session_->last_step();
+        publish(lock, Event::Began);
+    } else {
         complaint_ = complaint;
-        return;
     }
-    if (before) set_aside_ = std::move(before);
-    if (session_->last_step() > 0) target_ = session_->last_step();
-    publish(lock, Event::Began);
+    // Unless another one has been loaded meanwhile.
+    if (!next_) loading_.reset();
 }
 
 void Player::act(Lock& lock) {
@@ -245,17 +250,18 @@ void Player::rewind(Lock& lock) {
     lock.lock();
     if (!complaint.empty()) complaint_ = complaint;
     note_step();
-    if (session_->step_number() < step) return;
-    target_.reset();
+    if (session_->step_number() >= step) arrive(lock);
+}
+
+/// Shows the moment that was sought before it says that nothing is sought any more.
+void Player::arrive(Lock& lock) {
     publish(lock, Event::Edited);
+    if (target_ && session_->step_number() >= *target_) target_.reset();
 }
 
 void Player::step(Lock& lock) {
     const bool seeking = target_.has_value();
-    if (seeking && session_->step_number() >= *target_) {
-        target_.reset();
-        return publish(lock, Event::Edited);
-    }
+    if (seeking && session_->step_number() >= *target_) return arrive(lock);
     if (seeking) {
         // Goes as fast as it can.
     } else if (single_ > 0) {
@@ -276,12 +282,11 @@ void Player::step(Lock& lock) {
     finished_.push_back(t);
     while (finished_.front() < t - rate_window) finished_.pop_front();
     note_step();
-    if (!session_->sound()) {
-        playing_ = false;
-        target_.reset();
-    }
+    const bool stopped = !session_->sound();
+    if (stopped) playing_ = false;
     // On the way of a seek a snapshot now and then will do.
-    if (!target_ || t > published_ + seek_frame) publish(lock, Event::Stepped);
+    if (stopped || !target_ || t > published_ + seek_frame) publish(lock, Event::Stepped);
+    if (stopped) target_.reset();
 }
 
 void Player::note_step() {

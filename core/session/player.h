@@ -63,7 +63,8 @@ class Player {
     std::unique_ptr<SetAside> take_set_aside();
     /// Goes to a step of the run that has been reached before, and pauses.
     void seek(long step);
-    /// The step that is on its way to be reached, if any.
+    /// The step that is on its way to be reached, if any. Where there is none, the newest snapshot shows what
+    /// was sought last.
     std::optional<long> sought() const;
 
     /// Called once a frame: allows the pace's steps to be taken until the next call.
@@ -96,6 +97,7 @@ class Player {
     void act(Lock& lock);
     void step(Lock& lock);
     void rewind(Lock& lock);
+    void arrive(Lock& lock);
     bool knows_watched() const;
     void hand_over(Lock& lock);
     void look_again(Lock& lock);
@@ -121,6 +123,7 @@ class Player {
     std::optional<Recording> next_;
     bool sets_aside_ = false;  ///< next_ does, or one that it took the place of
     std::unique_ptr<SetAside> set_aside_;
+    std::optional<long> loading_;    ///< the step of a loaded run that has not begun yet
     std::optional<long> rewind_to_;  ///< a seek that has not begun yet
     std::optional<long> target_;     ///< the step of the seek that is under way
     std::vector<StepMeasures> measures_;

@@ -70,6 +70,26 @@ TEST(Player, SetsARunAsideForAnotherOne) {
     EXPECT_EQ(player.take_set_aside(), nullptr) << "nobody asked";
 }
 
+TEST(Player, SeeksALoadedRunsStepFromTheCallOn) {
+    Player player(small_plume(), 1);
+    Recording far = small_plume();
+    far.step = 40;
+    for (int round = 0; round < 20; ++round) {
+        const int run = player.newest().run;
+        player.load(far);
+        EXPECT_EQ(player.sought(), 40) << "before it has begun";
+        // Nothing is sought any more: the newest snapshot is the one that was.
+        ASSERT_TRUE(eventually([&] { return !player.sought(); }));
+        EXPECT_EQ(player.newest().step, 40);
+        EXPECT_GT(player.newest().run, run);
+        // A run that takes its place does not go on to its step.
+        player.load(far);
+        player.load(small_plume());
+        ASSERT_TRUE(eventually([&] { return !player.sought(); }));
+        EXPECT_EQ(player.newest().step, 0);
+    }
+}
+
 TEST(Player, TakesItsPaceFromTheFrames) {
     Player player(small_plume(), 1);
     player.set_pace({.steps_per_frame = 3, .unlimited = false});
