@@ -64,20 +64,15 @@ drag() {
     xdotool mouseup "$1"
 }
 
-# open_screen WIDTH HEIGHT [DPI]: 192 dots an inch are a content scale of 2.
+# open_screen WIDTH HEIGHT [SCALE]: with a content scale, for which xrdb is needed.
 open_screen() {
-    Xvfb -displayfd 3 -screen 0 "$1x$2x24" -dpi "${3:-96}" -noreset 3>"$work/display" 2>"$work/xvfb.log" &
+    Xvfb -displayfd 3 -screen 0 "$1x$2x24" -noreset 3>"$work/display" 2>"$work/xvfb.log" &
     screen=$!
     for _ in $(seq 100); do [ -s "$work/display" ] && break; sleep 0.1; done
     [ -s "$work/display" ] || fail "Xvfb gives no screen"
     DISPLAY=:$(cat "$work/display")
     export DISPLAY
-}
-close_screen() {
-    kill "$screen" 2>/dev/null
-    wait "$screen" 2>/dev/null
-    screen=
-    rm -f "$work/display"
+    [ $# -lt 3 ] || echo "Xft.dpi: $((96 * $3))" | xrdb -merge || fail "no content scale without xrdb"
 }
 # open_window ARGUMENTS: in a folder of its own, with a memory of its own.
 export XDG_STATE_HOME=$work/state

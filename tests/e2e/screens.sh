@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Takes a picture of the window's every panel, tab, lab, dialog and lesson, to be looked at: the guide shows them.
-# usage: screens.sh WHORL FOLDER WIDTH HEIGHT [DPI]   192 dots an inch are a content scale of 2
+# usage: screens.sh WHORL FOLDER WIDTH HEIGHT [SCALE]   needs scrot, and for a content scale xrdb
 set -u
 whorl=$1
 folder=$(realpath "$2")
@@ -9,7 +9,7 @@ height=$4
 . "$(dirname "$0")/person.sh"
 command -v scrot >/dev/null || { echo "scrot is not installed"; exit 1; }
 
-open_screen "$width" "$height" "${5:-96}"
+open_screen "$width" "$height" ${5:+"$5"}
 mkdir -p "$folder" "$work/files"
 cd "$work/files" || exit 1
 shot() {
