@@ -75,7 +75,7 @@ void correction(PanelContext& context, const Explanation& e) {
     const Theme& theme = context.theme;
     const Correction& c = *e.correction;
     const auto row = [&](const char* name, double value, ImU32 colour) {
-        const float right = ImGui::GetContentRegionMax().x;
+        const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
         ImGui::PushFont(theme.small);
         text(theme.palette.text_dim, name);
         ImGui::PopFont();

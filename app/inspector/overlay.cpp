@@ -13,6 +13,11 @@ constexpr ImU32 shadow = IM_COL32(0, 0, 0, 170);
 constexpr double lines_from = 14;    // points of a cell from which its edges are drawn
 constexpr double written_from = 34;  // points of a cell from which weights have room to be written
 
+/// Whether a limiter has changed a sum's value.
+bool cuts(const Sum& sum) {
+    return sum.cut && sum.cut->acted();
+}
+
 /// One tile's overlay.
 class Drawing {
   public:
@@ -32,7 +37,8 @@ class Drawing {
         outline(e);
         const std::size_t shown = inspector_.shown(e);
         const BaseStep& step = e.steps[shown];
-        bounds(sum_of(e, shown), step);
+        // The whole scheme's limiter looks at the first step's enclosing nodes.
+        bounds(step, cuts(sum_of(e, shown)) || (shown == 0 && cuts(e.sum)));
         if (step.particles.empty()) {
             nodes(step);
         } else {
@@ -97,9 +103,8 @@ class Drawing {
     }
 
     /// The square between the enclosing nodes; strong where a limiter has cut the value to their range.
-    void bounds(const Sum& sum, const BaseStep& step) const {
+    void bounds(const BaseStep& step, bool acted) const {
         const ImVec2 low = at(step.enclosing[0].at), high = at(step.enclosing[3].at);
-        const bool acted = sum.cut && sum.cut->acted();
         const ImU32 colour = acted ? theme_.palette.accent : faded(theme_.palette.text, 0.75f);
         const ImVec2 corners[] = {low, {high.x, low.y}, high, {low.x, high.y}};
         for (int k = 0; k < 4; ++k) dashes(corners[k], corners[(k + 1) % 4], colour);

@@ -66,12 +66,15 @@ void draw_lens(const Theme& theme, const std::array<Named, 3>& ways, WorldPoint 
     }
     // The scale, in cells.
     const double bar = round_below(0.8 * reach / h);
-    const auto length = static_cast<float>(bar * h * scale);
-    const float y = high.y - theme.px(7);
-    list.AddLine({low.x + theme.px(7), y}, {low.x + theme.px(7) + length, y}, theme.palette.text_dim,
-                 theme.px(1.5f));
-    add_text(list, *theme.small, {low.x + theme.px(7), y - theme.small->FontSize - theme.px(2)},
-             theme.palette.text_dim, written(bar, 2) + " cell");
+    const ImVec2 bar_low{low.x + theme.px(7), high.y - theme.px(7)};
+    const std::string length = written(bar, 2) + " cell";
+    const ImVec2 words{bar_low.x, bar_low.y - theme.small->FontSize - theme.px(2)};
+    list.AddRectFilled({low.x + theme.px(2), words.y},
+                       {words.x + text_width(*theme.small, length) + theme.px(4), high.y - theme.px(2)},
+                       theme.palette.card);
+    list.AddLine(bar_low, {bar_low.x + static_cast<float>(bar * h * scale), bar_low.y},
+                 theme.palette.text_dim, theme.px(1.5f));
+    add_text(list, *theme.small, words, theme.palette.text_dim, length);
     list.PopClipRect();
     list.AddRect(low, high, theme.palette.border, theme.px(5));
 }
