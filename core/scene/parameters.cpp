@@ -209,9 +209,8 @@ void add_forces(Table& t) {
 void add_pressure(Table& t) {
     const auto solvers = pressure_solvers();
     const double last = static_cast<double>(solvers.size() - 1);
-    Parameter p =
-        row({"pressure", "Solver", "", "How the pressure equation is solved.", "thesis sec. 2.2"},
-            Group::Pressure, Kind::Choice, {0, last, 0, last});
+    Parameter p = row({"pressure", "Solver", "", "How the pressure equation is solved.", "thesis sec. 2.2"},
+                      Group::Pressure, Kind::Choice, {0, last, 0, last});
     for (const PressureSolverEntry& entry : solvers) p.choices.push_back(entry.info);
     p.get = [](const Scene& s) { return static_cast<double>(s.pressure); };
     p.set = [](Scene& s, double value) { s.pressure = static_cast<std::size_t>(value); };
