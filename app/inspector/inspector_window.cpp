@@ -8,6 +8,7 @@
 #include "app/inspector/sum_view.h"
 #include "app/inspector/way_lens.h"
 #include "app/labs/lab_widgets.h"
+#include "app/panels/lesson_text.h"
 #include "app/panels/measure_tabs.h"
 #include "app/panels/widgets.h"
 #include "core/inspect/text.h"
@@ -17,9 +18,7 @@ namespace {
 
 void paragraph(ImFont* font, ImU32 colour, const std::string& words) {
     ImGui::PushFont(font);
-    ImGui::PushTextWrapPos(0);
-    text(colour, words);
-    ImGui::PopTextWrapPos();
+    draw_wrapped(colour, words);
     ImGui::PopFont();
 }
 
@@ -29,8 +28,10 @@ void quantity_chips(PanelContext& context, Inspector& inspector) {
         const auto quantity = static_cast<Quantity>(k);
         const QuantityInfo& what = info(quantity);
         const std::string key = "inspector-quantity=" + std::string(what.key);
-        if (lab_chip(context, key, {what.symbol, what.label, "", "", ""}, inspector.node.quantity == quantity,
-                     width, k == 0))
+        if (lab_chip(context, key,
+                     {what.label, k < 2 ? "At cell centres." : "On the face that is nearest to the click.",
+                      "", "", ""},
+                     inspector.node.quantity == quantity, width, k == 0))
             inspector.node.quantity = quantity;
     }
 }
@@ -70,28 +71,33 @@ void head(PanelContext& context, const Explanation& e) {
     if (e.now != e.result) note("Since then it has become " + written(e.now, 6) + ".");
 }
 
-/// What a predictor-corrector made on its way, line by line.
-void correction(PanelContext& context, const Explanation& e) {
-    const Theme& theme = context.theme;
-    const Correction& c = *e.correction;
-    const auto row = [&](const char* name, double value, ImU32 colour) {
-        const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
-        ImGui::PushFont(theme.small);
-        text(theme.palette.text_dim, name);
-        ImGui::PopFont();
-        ImGui::PushFont(theme.mono);
-        const std::string shown = written(value, 6);
-        ImGui::SameLine(right - ImGui::CalcTextSize(shown.c_str()).x);
-        text(colour, shown);
-        ImGui::PopFont();
-    };
-    row("before the step", c.start, theme.palette.text);
-    row("forward", c.forward, theme.palette.text);
-    row("back again", c.back, theme.palette.text);
-    row("error e = (back − before) / 2", c.error, theme.palette.text);
-    row("corrected", e.sum.total, theme.palette.text);
-    const bool acted = e.sum.cut && e.sum.cut->acted();
-    if (acted) row("limited", e.sum.value(), theme.palette.accent);
+/// A value with its name, at both ends of a line.
+void row(const Theme& theme, const char* name, double value, ImU32 colour) {
+    const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
+    ImGui::PushFont(theme.small);
+    text(theme.palette.text_dim, name);
+    ImGui::PopFont();
+    ImGui::PushFont(theme.mono);
+    const std::string shown = written(value, 6);
+    ImGui::SameLine(right - ImGui::CalcTextSize(shown.c_str()).x);
+    text(colour, shown);
+    ImGui::PopFont();
+}
+
+/// The way to the value in a few lines: what a predictor-corrector made of it, or a sum of particles, and the
+/// limiter.
+void summary(const Theme& theme, const Explanation& e) {
+    const auto line = [&](const char* name, double value) { row(theme, name, value, theme.palette.text); };
+    if (e.correction) {
+        line("before", e.correction->start);
+        line("forward", e.correction->forward);
+        line("back again", e.correction->back);
+        line("error e = (back − before) / 2", e.correction->error);
+        line("corrected", e.sum.total);
+    } else if (e.sum.cut) {
+        line("sum", e.sum.total);
+    }
+    if (e.sum.cut && e.sum.cut->acted()) row(theme, "limited", e.sum.value(), theme.palette.accent);
 }
 
 void step_chips(PanelContext& context, const Explanation& e, Inspector& inspector) {
@@ -145,17 +151,16 @@ void draw_inspector_window(PanelContext& context) {
         return;
     }
     const Explanation& e = *explanation;
-    if (std::exchange(inspector.goes_closer, false)) {
+    // What is shown may still be of the node that was picked before.
+    if (context.snapshot().watched == inspector.node && std::exchange(inspector.goes_closer, false)) {
         const Grid& grid = context.snapshot().grid;
         context.view.window = window_around(e, {grid.width(), grid.height()}, grid.h);
     }
     head(context, e);
     buttons(context, e, inspector);
     ImGui::BeginChild("inspected");
-    if (e.correction) {
-        correction(context, e);
-        step_chips(context, e, inspector);
-    }
+    summary(theme, e);
+    if (e.correction) step_chips(context, e, inspector);
     draw_way_lens(context, e.steps[inspector.shown(e)], context.snapshot().grid.h);
     draw_sums(context, e, inspector);
     ImGui::EndChild();

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "app/panels/widgets.h"
+#include "app/panels/lesson_text.h"
 #include "app/plot/ticks.h"
 #include "app/render/text.h"
 
@@ -17,9 +17,7 @@ constexpr int most_parts_open = 6;  // sums of more parts come folded
 
 void small(const Theme& theme, ImU32 colour, const std::string& words) {
     ImGui::PushFont(theme.small);
-    ImGui::PushTextWrapPos(0);
-    text(colour, words);
-    ImGui::PopTextWrapPos();
+    draw_wrapped(colour, words);
     ImGui::PopFont();
 }
 
@@ -185,8 +183,8 @@ class SumView {
     }
 
     void cut(const Cut& cut) const {
-        std::string words = cut.by + ": the enclosing nodes hold " + written(cut.low, 5) + " to " +
-                            written(cut.high, 5) + "; ";
+        std::string words = cut.by + ": the enclosing nodes hold " + written(cut.low, 6) + " to " +
+                            written(cut.high, 6) + "; ";
         if (!cut.acted()) {
             words += "nothing to do";
         } else if (cut.first_order && cut.after == *cut.first_order) {

@@ -66,11 +66,15 @@ void draw_lens(const Theme& theme, const std::array<Named, 3>& ways, WorldPoint 
     }
     // The scale, in cells.
     const double bar = round_below(0.8 * reach / h);
-    const ImVec2 bar_low{low.x + theme.px(7), high.y - theme.px(7)};
+    // At the foot, or where something ends there, at the top.
+    const bool at_top = std::any_of(
+        ways.begin(), ways.end(), [&](const Named& way) { return at(way.end).y > middle.y + 0.15f * side; });
+    const float foot = at_top ? low.y + theme.small->FontSize + theme.px(10) : high.y - theme.px(7);
+    const ImVec2 bar_low{low.x + theme.px(7), foot};
     const std::string length = written(bar, 2) + " cell";
     const ImVec2 words{bar_low.x, bar_low.y - theme.small->FontSize - theme.px(2)};
     list.AddRectFilled({low.x + theme.px(2), words.y},
-                       {words.x + text_width(*theme.small, length) + theme.px(4), high.y - theme.px(2)},
+                       {words.x + text_width(*theme.small, length) + theme.px(4), foot + theme.px(4)},
                        theme.palette.card);
     list.AddLine(bar_low, {bar_low.x + static_cast<float>(bar * h * scale), bar_low.y},
                  theme.palette.text_dim, theme.px(1.5f));
@@ -107,8 +111,8 @@ void draw_way_lens(PanelContext& context, const BaseStep& step, double h) {
         y += font.FontSize + theme.px(5);
     };
     const double way = distance(step.path.start, step.path.end) / h;
-    line(theme.palette.text, *theme.small, written(way, 3) + " cells long");
-    line(theme.palette.text_dim, *theme.small, "ends off the exact point, cells:");
+    line(theme.palette.text, *theme.small, "way: " + written(way, 3) + " cells");
+    line(theme.palette.text_dim, *theme.small, "its end off the exact one, in cells:");
     for (std::size_t k = 0; k + 1 < ways.size(); ++k)
         line(ways[k].colour, *theme.mono,
              std::string(ways[k].name) + "  " + written(distance(ways[k].end, exact) / h, 2));

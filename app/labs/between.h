@@ -16,4 +16,10 @@ namespace whorl::app {
 void sample_between(const Field& field, const SchemeSet& schemes, bool periodic,
                     std::span<const glm::dvec2> places, std::span<float> out);
 
+/// The place of a row's sample, moved off a point to its left: where a curve jumps, the point itself belongs
+/// to the interval that begins there.
+inline double from_the_left(double x) {
+    return x - 1e-6;
+}
+
 }  // namespace whorl::app

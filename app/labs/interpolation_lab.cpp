@@ -32,7 +32,7 @@ Curves curves_of(const Field& row, bool clamped, int first, int last) {
     std::vector<glm::dvec2> places;
     for (int m = first * per_interval; m <= last * per_interval; ++m) {
         const double x = m / static_cast<double>(per_interval);
-        places.emplace_back(x, 0);
+        places.emplace_back(m < last * per_interval ? x : from_the_left(x), 0);
         curves.x.push_back(static_cast<float>(x));
     }
     for (std::size_t k = 0; k < schemes_count; ++k) {

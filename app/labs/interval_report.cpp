@@ -25,6 +25,7 @@ Curve sampled(const Field& row, Interpolations::Id interpolation, bool clamped, 
     std::array<glm::dvec2, samples> places;
     for (int k = 0; k < samples; ++k)
         places[static_cast<std::size_t>(k)] = {i + k / static_cast<double>(samples - 1), 0};
+    places.back().x = from_the_left(places.back().x);
     Curve curve;
     sample_between(row, schemes, false, places, curve);
     return curve;

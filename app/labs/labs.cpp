@@ -20,18 +20,18 @@ struct Bounds {
 /// Inside the screen, a little off the labs that are open already.
 Bounds bounds_of(const PanelContext& context, const LabInfo& lab, int before) {
     using Place = LabInfo::Place;
-    constexpr float column = 0.33f;  // of the screen's width
     const Theme& theme = context.theme;
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const float margin = theme.px(8);
     const ImVec2 most{screen.x - 2 * margin, screen.y - 2 * margin};
-    const bool side = lab.place == Place::Side;
-    const ImVec2 size{std::floor(std::min(theme.px(lab.width), side ? column * screen.x : most.x)),
-                      side ? most.y : std::min(theme.px(lab.height), most.y)};
-    const float across = !side ? 0.5f : context.view.lessons ? 0 : 1;
+    if (lab.place == Place::Side && context.view.labs.side[1] > 0) {
+        const auto [x, width] = context.view.labs.side;
+        return {{x, margin}, {width, most.y}};
+    }
+    const ImVec2 size{std::min(theme.px(lab.width), most.x), std::min(theme.px(lab.height), most.y)};
     const float down = lab.place == Place::Bottom ? 1 : 0.5f;
-    const float off = side ? 0 : theme.px(18) * static_cast<float>(before);
-    return {{std::floor(std::clamp(across * (screen.x - size.x) + off, margin, margin + most.x - size.x)),
+    const float off = theme.px(18) * static_cast<float>(before);
+    return {{std::floor(std::clamp(0.5f * (screen.x - size.x) + off, margin, margin + most.x - size.x)),
              std::floor(std::clamp(down * (screen.y - size.y) + off, margin, margin + most.y - size.y))},
             size};
 }

@@ -19,9 +19,9 @@ struct LabInfo {
     const char* source;
     bool& (*open)(LabState&);
     void (*draw)(PanelContext&);
-    float width, height;  ///< at first and at most, points
-    /// Where it lies at first: over the middle of the screen, at its lower edge, or over a whole column at
-    /// the right, at the left while a lesson is read there.
+    float width, height;  ///< at first, points
+    /// Where it lies at first: over the middle of the screen, at its lower edge, or over a whole column: that
+    /// of the measures, or of the controls while a lesson is read.
     enum class Place { Middle, Bottom, Side } place;
 };
 /// All labs.

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include "app/panels/widgets.h"
+#include "app/scenes/presets.h"
 
 namespace whorl::app {
 namespace {
@@ -25,25 +26,6 @@ constexpr Row mouse[] = {
     {"Right-click a control", "back to the value of all lanes"},
     {"Drop a file", "open a scene, a run or a picture of Whorl"},
 };
-constexpr Row keys[] = {
-    {"Space", "play, pause"},
-    {".", "one step"},
-    {"R", "reset"},
-    {"← →", "a step back, a step on"},
-    {"Home, End", "the run's first and last step"},
-    {"1 – 9", "presets"},
-    {"0", "the whole domain"},
-    {"Tab", "hold: the other lane, where one is shown"},
-    {"Ctrl+O", "open a scene, a run or a picture"},
-    {"Ctrl+S", "save the run"},
-    {"I", "inspector: click a cell; Shift+arrow goes on"},
-    {"L", "lessons; Page Up and Down turn their steps"},
-    {"F12", "picture as PNG, which carries the run"},
-    {"H", "this help"},
-    {"Esc", "close this, a dialog or the top lab"},
-    {"Q, Ctrl+Q", "quit"},
-};
-
 void rows(const Theme& theme, const char* title, std::span<const Row> table) {
     ImGui::PushFont(theme.bold);
     ImGui::TextUnformatted(title);
@@ -72,6 +54,25 @@ void draw_help_overlay(PanelContext& context) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(theme.px(8), theme.px(4)));
     rows(theme, "Mouse, over the field", mouse);
     ImGui::Dummy({0, theme.px(6)});
+    const std::string digits = "1 – " + std::to_string(presets().size());
+    const Row keys[] = {
+        {"Space", "play, pause"},
+        {".", "one step"},
+        {"R", "reset"},
+        {"← →", "a step back, a step on"},
+        {"Home, End", "the run's first and last step"},
+        {digits.c_str(), "presets"},
+        {"0", "the whole domain"},
+        {"Tab", "hold: the other lane, where one is shown"},
+        {"Ctrl+O", "open a scene, a run or a picture"},
+        {"Ctrl+S", "save the run"},
+        {"I", "inspector: click a cell; Shift+arrow goes on"},
+        {"L", "lessons; Page Up and Down turn their steps"},
+        {"F12", "picture as PNG, which carries the run"},
+        {"H", "this help"},
+        {"Esc", "close this, a dialog or the top lab"},
+        {"Q, Ctrl+Q", "quit"},
+    };
     rows(theme, "Keys", keys);
     ImGui::Dummy({0, theme.px(6)});
     ImGui::Button("Show the tour");

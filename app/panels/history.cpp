@@ -1,6 +1,7 @@
 #include "app/panels/history.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace whorl::app {
 namespace {
@@ -66,6 +67,16 @@ void History::take(std::span<const StepMeasures> measures, bool new_run) {
             if (row.step % stride_ == 0) add(lane, row.step, row.lanes[k]);
         }
     }
+}
+
+double LaneHistory::median(Track track, std::size_t count) const {
+    const std::span<const float> all = of(track);
+    const std::span<const float> tail = all.last(std::min(count, all.size()));
+    std::vector<float> values(tail.begin(), tail.end());
+    if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return static_cast<double>(*middle);
 }
 
 const LaneHistory& History::lane(int id) const {

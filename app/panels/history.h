@@ -46,6 +46,8 @@ struct LaneHistory {
     Measures last;  ///< of the last step, thinned or not
 
     std::span<const float> of(Track track) const { return tracks[static_cast<std::size_t>(track)]; }
+    /// The median of a track's last `count` samples; NaN where there are none.
+    double median(Track track, std::size_t count) const;
 };
 
 /// Curves of at most `capacity` samples a lane over steps: when they are full, every other sample goes and

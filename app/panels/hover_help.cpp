@@ -2,6 +2,8 @@
 
 #include <imgui.h>
 
+#include "app/panels/widgets.h"
+
 namespace whorl::app {
 namespace {
 
@@ -19,7 +21,9 @@ void line(ImU32 colour, std::string_view text) {
 void HoverHelp::item(const Theme& theme, std::string_view key, const HelpText& help) {
     if (heard) heard(key, help);
     if (ImGui::IsItemActive()) return;
-    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    // A row's label stands for its control.
+    const bool on_label = on_row_label();
+    if (!on_label && !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
     seen_ = true;
     if (resting_on_ != key) {
         resting_on_ = key;

@@ -39,9 +39,13 @@ void draw_top(PanelContext& context, LessonWalk& walk) {
     text(theme.palette.text, place);
     ImGui::PopFont();
     const float width = theme.px(56);
-    const float taken = reading ? 2 * width + gap() : width;
+    const float taken = reading ? 3 * width + 2 * gap() : width;
     ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - taken);
     if (reading) {
+        if (button(context, "Plots", "lesson-plots", width,
+                   {"", "The measures in the lesson's place. Lesson there, or L, comes back.", "", "", ""}))
+            context.view.peeks_at_measures = true;
+        ImGui::SameLine();
         if (button(context, "All", "lesson-all", width, {"", "The list of lessons.", "", "", ""}))
             walk.leave();
         ImGui::SameLine();

@@ -116,7 +116,11 @@ void draw_measure_column(PanelContext& context) {
     ImGui::PopFont();
     const float width = theme.px(84);
     ImGui::SameLine(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - width);
-    if (ImGui::Button("Lessons", {width, 0})) context.view.lessons = true;
+    const bool reading = context.view.lessons;
+    if (ImGui::Button(reading ? "Lesson" : "Lessons", {width, 0})) {
+        context.view.lessons = true;
+        context.view.peeks_at_measures = false;
+    }
     context.trace.control("lessons");
     context.help.item(theme, "lessons",
                       {"Lessons", "Walks through what advection does to smoke, and why. Key: L", "", "", ""});

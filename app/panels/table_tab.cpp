@@ -44,9 +44,11 @@ constexpr Column flow[] = {
      [](const Measures& m) { return m.effective_viscosity; }, Best::NearestZero},
 };
 constexpr Column cost[] = {
-    {"ms a step", "Milliseconds that the last step took. Best least.",
+    {"ms a step", "Milliseconds that a step took: the median of the last 60. Best least.",
      [](const Measures& m) { return m.ms.total; }, Best::Least},
 };
+
+constexpr std::size_t median_of = 60;
 
 /// Few columns fit the width: the measures come in several tables.
 struct Group {
@@ -73,7 +75,7 @@ double badness(Best best, double value) {
 
 struct Row {
     std::size_t place;
-    const Measures* measures;
+    Measures measures;  ///< the step's time is the median of the last ones: a single one is chance
 };
 
 /// The smallest badness of a column among lanes that compete: the one that others are measured against does
@@ -82,7 +84,7 @@ double best_of(const Column& column, const std::vector<Row>& rows, int reference
     double best = INFINITY;
     for (const Row& row : rows) {
         if (static_cast<int>(row.place) == reference) continue;
-        best = std::fmin(best, badness(column.best, column.value(*row.measures)));
+        best = std::fmin(best, badness(column.best, column.value(row.measures)));
     }
     return best;
 }
@@ -99,8 +101,8 @@ void sort(std::vector<Row>& rows, std::span<const Column> columns) {
     }
     const Column& column = columns[static_cast<std::size_t>(by.ColumnIndex - 1)];
     std::stable_sort(rows.begin(), rows.end(), [&](const Row& a, const Row& b) {
-        const double x = column.value(*a.measures);
-        const double y = column.value(*b.measures);
+        const double x = column.value(a.measures);
+        const double y = column.value(b.measures);
         if (std::isnan(x) || std::isnan(y)) return !std::isnan(x) && std::isnan(y);
         return down ? x > y : x < y;
     });
@@ -188,7 +190,10 @@ void value_cell(PanelContext& context, double value, bool best) {
 void draw_group(PanelContext& context, const Group& group) {
     const SessionSnapshot& moment = context.remote.session();
     std::vector<Row> rows;
-    for (std::size_t k = 0; k < moment.lanes.size(); ++k) rows.push_back({k, &moment.lanes[k].measures});
+    for (std::size_t k = 0; k < moment.lanes.size(); ++k) {
+        rows.push_back({k, moment.lanes[k].measures});
+        rows.back().measures.ms.total = context.history.lane(moment.ids[k]).median(Track::TotalMs, median_of);
+    }
 
     constexpr ImGuiTableFlags flags = ImGuiTableFlags_Sortable | ImGuiTableFlags_RowBg |
                                       ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_SizingFixedFit |
@@ -207,7 +212,7 @@ void draw_group(PanelContext& context, const Group& group) {
         for (std::size_t k = 0; k < group.columns.size(); ++k) {
             const Column& column = group.columns[k];
             ImGui::TableSetColumnIndex(static_cast<int>(k + 1));
-            const double value = column.value(*row.measures);
+            const double value = column.value(row.measures);
             const bool competes = rows.size() > 1 && static_cast<int>(row.place) != moment.setup.reference;
             const bool best =
                 competes && badness(column.best, value) == best_of(column, rows, moment.setup.reference);

@@ -14,7 +14,8 @@ constexpr const char* schemes[] = {"panel=Lanes", "comparison", "panel=Schemes",
 constexpr const char* measures[] = {"tab=Plots", "tab=Table", "plot=Total smoke", "plot=Kinetic energy",
                                     "plot=Enstrophy"};
 constexpr const char* lessons[] = {"lessons"};
-constexpr const char* labs[] = {"panel=Labs", "lab=interpolation", "lab=stencil", "lab=slice"};
+constexpr const char* labs[] = {"panel=Labs", "lab=interpolation", "lab=stencil", "lab=slice",
+                                "lab=inspector"};
 
 constexpr TourStop stops[] = {
     {"Smoke to play with",
@@ -25,7 +26,7 @@ constexpr TourStop stops[] = {
      "Space plays and pauses, a full stop takes one step, R begins anew. Drag the line below to go back to "
      "any step; it comes out the same, to the last bit.",
      transport, "Run"},
-    {"What steps it",
+    {"The scheme",
      "The advector carries the smoke. Choose another one while it runs: it acts from the next step on. "
      "Compare sets several schemes side by side, under the same hand.",
      schemes, "Lanes"},

@@ -109,9 +109,9 @@ void draw_view_panel(PanelContext& context) {
     context.help.item(
         context.theme, "count-limited",
         {"Count limited nodes",
-         "A plot of how many nodes a limiter or a clamped interpolation changed in each step. Takes "
-         "two to seven advections more a step.",
-         "", "thesis sec. 3.2", ""});
+         "A plot of how many nodes a limiter or a clamped interpolation changed in each step. Costs "
+         "two to seven more advections in every step.",
+         "", "thesis sec. 3.2", looked_at ? "The chosen view counts them already." : ""});
 }
 
 }  // namespace whorl::app

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <utility>
 
 namespace whorl::app {
 namespace {
@@ -18,6 +19,13 @@ float width_of(std::string_view text) {
 bool continues(char c) {
     return (static_cast<unsigned char>(c) & 0xc0) == 0x80;
 }
+
+/// The label of the newest row, until its first item has asked for it.
+struct RowLabel {
+    ImVec2 low{}, high{};
+    int frame = -1;
+    ImGuiID window = 0;
+} newest_label;
 
 }  // namespace
 
@@ -31,11 +39,22 @@ void text(ImU32 colour, std::string_view line) {
     ImGui::PopStyleColor();
 }
 
+bool on_row_label() {
+    const RowLabel label = std::exchange(newest_label, {});
+    return label.frame == ImGui::GetFrameCount() && label.window == ImGui::GetCurrentWindow()->ID &&
+           ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(label.low, label.high);
+}
+
 void row_label(const Theme& theme, std::string_view label) {
     const float left = ImGui::GetCursorPosX();
     const float width = label_width();
     ImGui::AlignTextToFramePadding();
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
     text(theme.palette.text_dim, fitted(label, width - theme.px(4)));
+    newest_label = {corner,
+                    {corner.x + width, corner.y + ImGui::GetFrameHeight()},
+                    ImGui::GetFrameCount(),
+                    ImGui::GetCurrentWindow()->ID};
     ImGui::SameLine(left + width);
     ImGui::SetNextItemWidth(-FLT_MIN);
 }

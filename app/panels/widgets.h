@@ -16,6 +16,9 @@ float label_width();
 /// A label at the left; the next item takes the rest of the line.
 void row_label(const Theme& theme, std::string_view text);
 
+/// Whether the pointer rests on the label of the row that the last item begins. Asked once for each row.
+bool on_row_label();
+
 /// The text, or as much of it as fits `width` pixels in the current font, with an ellipsis.
 std::string fitted(std::string_view text, float width);
 

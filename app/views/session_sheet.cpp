@@ -85,7 +85,7 @@ SheetRequest sheet_of(std::span<const SessionSnapshot> rows, PictureStyle style,
     sheet.title = rows.front().setup.scene.title;
     sheet.label = bar_label(*style.view) + sheet.label;
     sheet.caption = caption_of(rows);
-    sheet.crisp = style.crisp;
+    sheet.crisp = style.crisp || style.view->of_limiters;
     sheet.light = style.light;
     sheet.scale = style.scale;
     sheet.cell_width = style.cell_width > 0 ? style.cell_width : usual_width(rows.size(), across);

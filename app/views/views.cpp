@@ -60,7 +60,7 @@ constexpr View table[] = {
      about_zero},
     {"limited-smoke", "Limited smoke", "", "Cells whose smoke a limiter changed in the last step.", "magma",
      limited_smoke, nullptr, true},
-    {"limited-velocity", "Limited velocity", "of its faces",
+    {"limited-velocity", "Limited velocity", "share of faces",
      "How many of a cell's faces had their velocity changed by a limiter in the last step.", "magma",
      limited_velocity, nullptr, true},
 };

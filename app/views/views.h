@@ -26,7 +26,7 @@ struct View {
     const Field* (*field)(const Snapshot&, Field& scratch);
     /// The value in the middle of the colours for one that diverges; null for one that grows from 0.
     float (*middle)(const Snapshot&);
-    bool of_limiters = false;  ///< shows nothing but 0 unless limiters are watched, see Watch
+    bool of_limiters = false;  ///< counts: drawn crisp; 0 unless limiters are watched, see Watch
 
     /// The middle, or 0.
     float centre(const Snapshot& snapshot) const { return middle ? middle(snapshot) : 0; }

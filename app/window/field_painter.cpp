@@ -50,7 +50,7 @@ void FieldPainter::draw(const SessionSnapshot& session, const LaneFields& fields
         draw.scale = theme.scale;
         draw.lo = view.range.ends().lo;
         draw.hi = view.range.ends().hi;
-        draw.crisp = view.crisp;
+        draw.crisp = view.crisp || fields.view().of_limiters;
         draw.window = place.window;
         draw.cells = {session.lanes[tile.lane].grid.nx, session.lanes[tile.lane].grid.ny};
         return draw;

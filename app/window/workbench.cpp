@@ -2,6 +2,7 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+#include <imgui_internal.h>
 #include <sys/resource.h>
 
 #include <future>
@@ -42,6 +43,11 @@ void begin_panel(const char* name, const Layout& layout, const Column& column, c
     slabs.add(list, low, high, ImGui::GetStyle().WindowRounding, theme.palette.panel);
     list.AddRect(low, high, theme.palette.border, ImGui::GetStyle().WindowRounding);
     list.PopClipRect();
+}
+
+/// Whether a list that a control has opened lies over the window.
+bool list_open() {
+    return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
 }
 
 /// A player whose threads give way to the window's: on Linux, threads inherit the niceness of their maker,
@@ -119,7 +125,7 @@ void Workbench::act_on(const InputEvent& event) {
     if (lessons_.take(event, remote_, view_)) return;
     switch (event.kind) {
         case Kind::Character:
-            if (!files_.dialog) type(event);
+            if (!files_.dialog && !list_open()) type(event);
             break;
         case Kind::Drop:
             files_.open = event.path;
@@ -159,6 +165,7 @@ void Workbench::press_key(const InputEvent& event) {
 void Workbench::escape() {
     files_.escape = true;
     if (files_.dialog || ImGui::GetIO().WantTextInput) return;
+    if (list_open()) return ImGui::ClosePopupToLevel(0, true);
     if (!std::exchange(view_.help, false)) close_top_lab(view_.labs);
 }
 
@@ -189,7 +196,7 @@ void Workbench::type(const InputEvent& event) {
             return;
         case 'l':
         case 'L':
-            view_.lessons = !view_.lessons;
+            view_.lessons = !view_.lessons || std::exchange(view_.peeks_at_measures, false);
             return;
         case 'q':
         case 'Q':
@@ -216,7 +223,9 @@ void Workbench::draw() {
     files_.dialog = false;
     const Layout layout =
         lay_out(theme, field_shape(session, view_), static_cast<float>(window_.framebuffer_width()),
-                static_cast<float>(window_.framebuffer_height()), view_.lessons);
+                static_cast<float>(window_.framebuffer_height()), view_.lessons || view_.labs.inspector.open);
+    const Column& side = view_.lessons ? layout.controls : layout.measures;
+    view_.labs.side = {side.x, side.width};
 
     begin_panel("controls", layout, layout.controls, theme, slabs_);
     draw_control_column(context);
@@ -228,7 +237,7 @@ void Workbench::draw() {
     place_ = draw_field_area(context);
     ImGui::End();
     begin_panel("measures", layout, layout.measures, theme, slabs_);
-    if (view_.lessons) {
+    if (view_.lessons && !view_.peeks_at_measures) {
         draw_lesson_panel(context, lessons_);
         view_.lessons = lessons_.open();
     } else {

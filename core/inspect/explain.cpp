@@ -68,7 +68,7 @@ class Explainer {
                             {q_.symbol + " before", -0.5, static_cast<double>(start)}},
                   .total = static_cast<double>(lost)};
         Sum& sum = out_.sum;
-        sum.title = q_.symbol + " after the step";
+        sum.title = q_.symbol + " after advection";
         sum.equation = thesis_part(schemes_.advector.info().source);
         Real value = moved(out_.of_i, out_.of_j);
         sum.total = static_cast<double>(value);

@@ -61,6 +61,7 @@ void take_snapshot(const Lane& lane, Pool& pool, Snapshot& out, const std::optio
     vorticity(state.velocity, state.boundary, out.vorticity, pool);
     out.has_exact = simulation.exact(out.exact);
     out.explanation.reset();
+    out.watched = node;
     if (!node) return;
     const auto last = simulation.last_advection();
     if (last && last->from(node->quantity) != nullptr) out.explanation = explained(*last, *node, pool);

@@ -436,7 +436,7 @@ TEST(Inspect, WritesTheSumAsText) {
     const std::string text = write_text(explain(step.last(), Quantity::Density, 4, 3, pool));
     for (const char* words :
          {"Density at (4, 3): ", "forward: (4.5, 3.5) → (", "back again: ", "many small steps (",
-          "ρ after the step = ", "thesis alg. 3.3, eq. 3.26", "ρ forward = ", "thesis eq. 3.6–3.7, 3.11",
+          "ρ after advection = ", "thesis alg. 3.3, eq. 3.26", "ρ forward = ", "thesis eq. 3.6–3.7, 3.11",
           "limiter: Clamp: the enclosing nodes hold ", "thesis sec. 3.2, eq. 3.8"}) {
         EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
     }

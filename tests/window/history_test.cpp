@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace whorl::app {
 namespace {
 
@@ -31,6 +33,15 @@ void expect_samples_of(const LaneHistory& lane, int id) {
             ASSERT_GT(lane.steps[k], lane.steps[k - 1]);
         }
     }
+}
+
+TEST(History, KnowsTheMedianOfTheLastSteps) {
+    History history;
+    EXPECT_TRUE(std::isnan(history.lane(7).median(Track::KineticEnergy, 60)));
+    take(history, 0, 2, {7});
+    EXPECT_EQ(history.lane(7).median(Track::KineticEnergy, 60), 7001);
+    take(history, 3, 100, {7});
+    EXPECT_EQ(history.lane(7).median(Track::KineticEnergy, 5), 7098);
 }
 
 TEST(History, StaysSmallAndCoversALongRun) {

@@ -36,7 +36,9 @@ struct LanesWindow {
         PanelContext context{ui.theme, remote, view,  measure_view, files, history,
                              frames,   fields, names, hover,        trace, slabs};
         const ImVec2 size = ImGui::GetIO().DisplaySize;
-        layout = lay_out(ui.theme, field_shape(session, view), size.x, size.y, view.lessons);
+        layout = lay_out(ui.theme, field_shape(session, view), size.x, size.y,
+                         view.lessons || view.labs.inspector.open);
+        view.labs.side = {layout.measures.x, layout.measures.width};
         ui.frame([&] {
             column("controls", layout.controls, [&] { draw_control_column(context); });
             ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
