@@ -19,6 +19,11 @@ say "a run of one's own"
 xdotool key l
 click lesson=smear
 until_ nx "!=" 32
+click lesson-plots
+click tab=Spectrum
+click tab=Plots
+click lessons
+say "a look at the plots in the lesson's place"
 pages=$("$whorl" lesson smear | grep -c -E '^[0-9]+\. ')
 [ "$pages" -ge 4 ] || fail "the lesson has $pages steps"
 for page in $(seq 2 "$pages"); do
@@ -70,9 +75,9 @@ xdotool mousemove "$(field_x 60)" "$(field_y 5)" key i
 click lesson-close
 until_ nx "==" 32
 until_ total_density ">" 1
-say "closing the lessons gives the run back"
-xdotool mousemove "$(field_x 50)" "$(field_y 5)"
-[ "$(value playing)" = true ] && xdotool key space
+until_ playing "==" true
+say "closing the lessons gives the run back, which goes on"
+xdotool mousemove "$(field_x 50)" "$(field_y 5)" key space
 until_ playing "==" false
 sleep 0.5
 xdotool key i

@@ -1,5 +1,6 @@
 // Every control has help that says what it means.
 #include <gtest/gtest.h>
+#include <imgui_internal.h>
 
 #include <map>
 #include <set>
@@ -164,6 +165,24 @@ TEST_F(Help, IsThereInLessons) {
     window.frames_of(3);
     EXPECT_TRUE(window.heard.count("lesson-next"));
     window.expect_help("lessons");
+}
+
+TEST(RowLabel, HasItsControlsHelp) {
+    HeadlessUi ui(1280, 2400, 1);
+    LanesWindow window(ui, run_of(presets().front().scene(), 1));
+    window.frame();
+    window.frame();
+    const auto control = window.trace.places().in_sight("advector");
+    ASSERT_TRUE(control);
+    const auto tooltip_at = [&](float x) {
+        ImGui::GetIO().MousePos = {x, control->y + 0.5f * control->height};
+        for (int k = 0; k < 60; ++k) window.frame();
+        const ImGuiWindow* tooltip = ImGui::FindWindowByName("##Tooltip_00");
+        return tooltip != nullptr && tooltip->Active;
+    };
+    EXPECT_TRUE(tooltip_at(control->x - 20)) << "on the word";
+    EXPECT_TRUE(tooltip_at(control->x + 20)) << "on the list";
+    EXPECT_FALSE(tooltip_at(window.layout.controls.x + 1)) << "on the panel's edge";
 }
 
 }  // namespace

@@ -163,6 +163,25 @@ TEST(Inspector, TheFirstClickGoesCloserToAllThatIsDrawn) {
     EXPECT_FALSE(view_tool.take({.kind = Kind::Wheel, .y = 1}, in.window.place, in.window.view));
 }
 
+TEST(Inspector, AClickGoesCloserToItsOwnCellNotToTheOneBefore) {
+    Inspected in(stepped("plume"));
+    in.inspector.open = true;
+    in.window.frame();
+    in.click(0, 4, 3);
+    ASSERT_TRUE(in.wait_for(0, 4, 3));
+    in.window.frame();
+    in.window.view.window = {};
+    in.window.frame();
+    in.click(0, 20, 20);
+    in.window.frame();  // may still show the one before
+    ASSERT_TRUE(in.wait_for(0, 20, 20));
+    in.window.frame();
+    in.window.frame();
+    const ImVec2 middle = in.pixel(0, 20, 20);
+    EXPECT_NE(in.window.place.at(static_cast<double>(middle.x), static_cast<double>(middle.y)), nullptr);
+    EXPECT_FALSE(in.window.view.window.whole());
+}
+
 TEST(Inspector, WindowsAroundNodesStayInTheDomain) {
     Explanation e;
     e.steps.resize(1);
