@@ -28,10 +28,11 @@ void quantity_chips(PanelContext& context, Inspector& inspector) {
         const auto quantity = static_cast<Quantity>(k);
         const QuantityInfo& what = info(quantity);
         const std::string key = "inspector-quantity=" + std::string(what.key);
-        if (lab_chip(context, key,
-                     {what.label, k < 2 ? "At cell centres." : "On the face that is nearest to the click.",
-                      "", "", ""},
-                     inspector.node.quantity == quantity, width, k == 0))
+        const bool on_face = quantity == Quantity::U || quantity == Quantity::V;
+        const std::string help = std::string(what.label) +
+                                 (on_face ? ", on the face nearest to the click." : ", at cell centres.");
+        if (lab_chip(context, key, {what.symbol, help, "", "", ""}, inspector.node.quantity == quantity,
+                     width, k == 0))
             inspector.node.quantity = quantity;
     }
 }
