@@ -41,6 +41,8 @@ void quantity_chips(PanelContext& context, Inspector& inspector) {
 std::string why_not(const PanelContext& context, const Inspector& inspector) {
     if (!inspector.picked) return "Click a cell, in any lane. Shift and an arrow go to its neighbours.";
     const Snapshot& lane = context.snapshot();
+    if (lane.failure) return "The lane has stopped: its last step cannot be asked for this any more.";
+    if (lane.watched != inspector.watched()) return "";  // on its way
     if (inspector.node.quantity != Quantity::Density && !is_solved(lane))
         return std::string(info(inspector.node.quantity).label) +
                " is not moved here: the flow is given. Choose ρ.";
@@ -145,16 +147,18 @@ void draw_inspector_window(PanelContext& context) {
     const Theme& theme = context.theme;
     Inspector& inspector = context.view.labs.inspector;
     quantity_chips(context, inspector);
-    const std::optional<Explanation>& explanation = context.snapshot().explanation;
-    if (!explanation || explanation->quantity != inspector.node.quantity) {
+    const Snapshot& lane = context.snapshot();
+    const std::optional<Explanation>& explanation = lane.explanation;
+    const bool another = lane.failure && lane.watched != inspector.watched();
+    if (!explanation || explanation->quantity != inspector.node.quantity || another) {
         inspector.pointed.reset();
         paragraph(theme.body, theme.palette.text_dim, why_not(context, inspector));
         return;
     }
     const Explanation& e = *explanation;
     // What is shown may still be of the node that was picked before.
-    if (context.snapshot().watched == inspector.node && std::exchange(inspector.goes_closer, false)) {
-        const Grid& grid = context.snapshot().grid;
+    if (lane.watched == inspector.node && std::exchange(inspector.goes_closer, false)) {
+        const Grid& grid = lane.grid;
         context.view.window = window_around(e, {grid.width(), grid.height()}, grid.h);
     }
     head(context, e);
@@ -162,7 +166,7 @@ void draw_inspector_window(PanelContext& context) {
     ImGui::BeginChild("inspected");
     summary(theme, e);
     if (e.correction) step_chips(context, e, inspector);
-    draw_way_lens(context, e.steps[inspector.shown(e)], context.snapshot().grid.h);
+    draw_way_lens(context, e.steps[inspector.shown(e)], lane.grid.h);
     draw_sums(context, e, inspector);
     ImGui::EndChild();
 }

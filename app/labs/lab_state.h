@@ -68,7 +68,7 @@ struct LabState {
     StencilLab stencil;
     SliceLab slice;
     Inspector inspector;
-    /// Left edge and width of the column that a lab may stand over, pixels; no width if there is none.
+    /// Left edge and width of the column that a lab may stand over, pixels.
     std::array<float, 2> side{};
     bool under_pointer = false;  ///< a lab's window is: the field below takes no strokes
 };

@@ -24,7 +24,7 @@ Bounds bounds_of(const PanelContext& context, const LabInfo& lab, int before) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const float margin = theme.px(8);
     const ImVec2 most{screen.x - 2 * margin, screen.y - 2 * margin};
-    if (lab.place == Place::Side && context.view.labs.side[1] > 0) {
+    if (lab.place == Place::Side) {
         const auto [x, width] = context.view.labs.side;
         return {{x, margin}, {width, most.y}};
     }
@@ -66,7 +66,7 @@ std::span<const LabInfo> labs() {
          LabInfo::Place::Bottom},
         {"inspector", "Inspector",
          "Click a cell to see where its value came from: the sum behind it, with its numbers. Key: I", "",
-         [](LabState& s) -> bool& { return s.inspector.open; }, draw_inspector_window, 380, 0,
+         [](LabState& s) -> bool& { return s.inspector.open; }, draw_inspector_window, 0, 0,
          LabInfo::Place::Side},
     };
     return table;

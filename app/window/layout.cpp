@@ -16,7 +16,7 @@ constexpr float measures_least = 240, measures_share = 0.235f, measures_usual = 
 
 }  // namespace
 
-Layout lay_out(const Theme& theme, const FieldShape& shape, float width, float height, bool lessons) {
+Layout lay_out(const Theme& theme, const FieldShape& shape, float width, float height, bool reading) {
     const float gap = theme.px(width < theme.px(1200) ? 0.67f * margin : margin);
     Layout layout{};
     layout.top = gap;
@@ -26,7 +26,7 @@ Layout lay_out(const Theme& theme, const FieldShape& shape, float width, float h
     };
     layout.controls = {gap, share(controls_share, controls_least, controls_most)};
     float plots = share(measures_share, measures_least, measures_usual);
-    if (lessons) plots = std::max(plots, theme.px(lesson_column_width));
+    if (reading) plots = std::max(plots, theme.px(lesson_column_width));
     const float rest = width - layout.controls.width - 4 * gap;
     const float usable =
         std::max(field_width_for(theme, shape, {rest - plots, layout.height}), theme.px(field_least));

@@ -18,7 +18,7 @@ struct Layout {
 };
 
 /// The fields get the most; what they cannot use, because their domain has another shape, widens the plots.
-/// @param lessons  whether lessons stand where the measures do: they need more room
-Layout lay_out(const Theme& theme, const FieldShape& shape, float width, float height, bool lessons);
+/// @param reading  whether lessons or the inspector stand where the measures do: text needs more room
+Layout lay_out(const Theme& theme, const FieldShape& shape, float width, float height, bool reading);
 
 }  // namespace whorl::app

@@ -190,6 +190,7 @@ void Player::begin(Lock& lock) {
         if (sets_aside)
             before = std::make_unique<SetAside>(SetAside{session_->whole_recording(), session_->complete()});
         session_.emplace(std::move(session));
+        restored_ = false;
     } catch (const InputError& e) {
         complaint = e.what();
     }
@@ -236,7 +237,7 @@ void Player::rewind(Lock& lock) {
     rewind_to_.reset();
     target_ = step;
     // What is watched is known of a step that was taken, not of a moment that was kept.
-    const bool retake = watch_.any() && step > 0 && !knows_watched();
+    const bool retake = watch_.any() && retakes();
     // A step that lies ahead is nearer from here than from a kept moment, as a rule.
     if (step > session_->step_number() || (step == session_->step_number() && !retake)) return;
     const long to = watch_.any() ? std::max(0L, step - 1) : step;
@@ -247,6 +248,7 @@ void Player::rewind(Lock& lock) {
     } catch (const InputError& e) {
         complaint = e.what();
     }
+    restored_ = true;
     lock.lock();
     if (!complaint.empty()) complaint_ = complaint;
     note_step();
@@ -270,6 +272,7 @@ void Player::step(Lock& lock) {
         --allowed_;
     }
     lock.unlock();
+    restored_ = false;
     std::string complaint;
     try {
         session_->step();
@@ -314,27 +317,17 @@ void Player::hand_over(Lock& lock) {
     saved_ = std::move(saved);
 }
 
-/// Whether every lane still holds what its last step began with.
-bool Player::knows_watched() const {
-    for (std::size_t k = 0; k < session_->lane_count(); ++k) {
-        if (!session_->lane(k).simulation().last_advection()) return false;
-    }
-    return true;
-}
-
 void Player::look_again(Lock& lock) {
     look_again_ = false;
     const Watch watch = watch_;
     const bool on_its_way = wants_step();
     lock.unlock();
     session_->watch_limiters(watch.limiters);
-    // At a moment that was restored, the step is not known that led to it.
-    const bool known = !watch.any() || knows_watched() || session_->step_number() == 0;
     lock.lock();
-    if (known || on_its_way || !session_->complete() || rewind_to_) {
-        publish(lock, Event::Edited);
-    } else {
+    if (watch.any() && retakes() && !on_its_way && !rewind_to_) {
         rewind_to_ = session_->step_number();
+    } else {
+        publish(lock, Event::Edited);
     }
 }
 

@@ -98,7 +98,8 @@ class Player {
     void step(Lock& lock);
     void rewind(Lock& lock);
     void arrive(Lock& lock);
-    bool knows_watched() const;
+    /// Whether the moment was restored, so that the step that led to it has to be taken again to be watched.
+    bool retakes() const { return restored_ && session_->step_number() > 0 && session_->complete(); }
     void hand_over(Lock& lock);
     void look_again(Lock& lock);
     void publish(Lock& lock, Event event);
@@ -141,8 +142,9 @@ class Player {
     // The worker's own.
     Pool pool_;
     std::optional<Session> session_;
-    double published_ = 0;  ///< time of the last snapshot, seconds
-    std::jthread thread_;   ///< last, so that it ends before what it uses
+    bool restored_ = false;  ///< no step has been taken since session_ was rewound
+    double published_ = 0;   ///< time of the last snapshot, seconds
+    std::jthread thread_;    ///< last, so that it ends before what it uses
 };
 
 }  // namespace whorl

@@ -103,6 +103,29 @@ TEST(Watch, KnowsTheStepThatLedToAnyMoment) {
     EXPECT_FALSE(explanation(player));
 }
 
+TEST(Watch, AMomentThatWasChangedIsNotTakenAgainForEveryNode) {
+    Player player(plume(), 1);
+    player.set_pace({.steps_per_frame = 1, .unlimited = true});
+    player.play(true);
+    ASSERT_TRUE(eventually([&] { return player.newest().step > 12; }));
+    player.seek(10);
+    ASSERT_TRUE(eventually([&] { return player.newest().step == 10 && !player.sought(); }));
+    const std::uint64_t before = player.push(ObstacleStroke{.along = {5, 30, 10, 30}, .radius = 2});
+    ASSERT_TRUE(eventually([&] { return player.newest().taken == before; }));
+    std::vector<StepMeasures> measures;
+    player.watch({.node = node, .limiters = false});
+    ASSERT_TRUE(eventually([&] { return player.newest().lanes[0].watched == node && !player.sought(); }));
+    EXPECT_FALSE(explanation(player)) << "a wall was built since";
+    player.take_measures(measures);
+    measures.clear();
+    const Watch::Node other{Quantity::Density, {10, 10}};
+    player.watch({.node = other, .limiters = false});
+    ASSERT_TRUE(eventually([&] { return player.newest().lanes[0].watched == other; }));
+    player.take_measures(measures);
+    EXPECT_TRUE(measures.empty()) << "no step was taken";
+    EXPECT_EQ(player.newest().step, 10);
+}
+
 TEST(Watch, OtherRunsAndLanesAreWatchedToo) {
     Player player(plume(), 1);
     player.watch({.node = node, .limiters = true});
