@@ -1,0 +1,107 @@
+// The lessons' panel in a column of its own, drawn without a display.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <imgui_internal.h>
+
+#include <chrono>
+#include <thread>
+
+#include "app/panels/lesson_panel.h"
+#include "app/panels/lesson_text.h"
+#include "tests/support/headless_ui.h"
+
+namespace whorl::app {
+
+/// A column of the panel's least width at the right of the screen, as frames of the window draw it.
+struct LessonWindow {
+    explicit LessonWindow(HeadlessUi& headless) : ui(headless) {
+        frames.add(16.7, 5);
+        remote.begin_frame();
+    }
+
+    void frame() {
+        player.begin_frame();
+        remote.begin_frame();
+        const SessionSnapshot& session = remote.session();
+        // As the window does: it must not take away what a step asks for.
+        if (!available(*view.shown, remote.snapshot())) view.shown = &views().front();
+        if (session.lanes.size() == 1) {
+            view.compare = Compare::SideBySide;
+            view.difference = false;
+        }
+        names.update(session.setup);
+        fields.update(session, *view.shown, view.difference);
+        slabs.clear();
+        PanelContext context{ui.theme, remote, view,  measures, files, history,
+                             frames,   fields, names, hover,    trace, slabs};
+        const ImVec2 screen = ImGui::GetIO().DisplaySize;
+        const float width = ui.theme.px(lesson_column_width);
+        const float margin = ui.theme.px(8);
+        ui.frame([&] {
+            ImGui::SetNextWindowPos({screen.x - width - margin, margin});
+            ImGui::SetNextWindowSize({width, screen.y - 2 * margin});
+            ImGui::Begin("lessons", nullptr,
+                         ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings);
+            draw_lesson_panel(context, walk);
+            column = ImGui::GetCurrentWindow()->Rect();
+            ImGui::End();
+            hover.end_frame();
+        });
+    }
+    template <class IsSo>
+    bool eventually(IsSo&& is_so, int patience = 1500) {
+        for (int k = 0; k < patience; ++k) {
+            frame();
+            if (is_so()) return true;
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        }
+        return false;
+    }
+    void press(int key) {
+        EXPECT_TRUE(walk.take({.kind = InputEvent::Kind::Key, .code = key}, remote, view));
+        frame();
+    }
+    /// Clicks a control by its name in the trace.
+    void click(const char* key) {
+        const auto place = trace.places().in_sight(key);
+        ASSERT_TRUE(place) << key;
+        ImGuiIO& io = ImGui::GetIO();
+        io.MousePos = {place->x + 0.5f * place->width, place->y + 0.5f * place->height};
+        for (const bool down : {false, true, false}) {
+            io.MouseDown[0] = down;
+            frame();
+        }
+        io.MousePos = {-FLT_MAX, -FLT_MAX};
+        frame();
+    }
+    /// Whether everything is as the step says.
+    bool shows(const LessonStep& step) const {
+        const Compare compare = step.mode == LessonMode::One    ? Compare::One
+                                : step.mode == LessonMode::Wipe ? Compare::Wipe
+                                                                : Compare::SideBySide;
+        return remote.session().setup == step.recording.setup &&
+               remote.session().step == step.recording.step && view.shown == step.view &&
+               view.compare == compare && view.difference == (step.mode == LessonMode::Difference) &&
+               !remote.playing();
+    }
+
+    HeadlessUi& ui;
+    Player player{{.setup = {}}, 1};
+    Notices notices;
+    Remote remote{player, notices};
+    ViewState view;
+    MeasureView measures;
+    FileDesk files;
+    History history;
+    FrameLog frames;
+    LaneFields fields;
+    LaneNames names;
+    HoverHelp hover;
+    Trace trace{""};
+    Slabs slabs;
+    LessonWalk walk;
+    ImRect column;
+};
+
+}  // namespace whorl::app
