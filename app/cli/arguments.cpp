@@ -7,6 +7,8 @@
 
 #include "app/cli/exit_code.h"
 #include "core/scene/error.h"
+#include "core/schemes/suggest.h"
+#include "core/session/recording.h"
 
 namespace whorl::app {
 namespace {
@@ -26,6 +28,21 @@ constexpr const char* examples =
     "  whorl lesson smear\n"
     "  whorl list parameters";
 
+/// Says in Whorl's own words what an option's number would be.
+template <class Number>
+CLI::Validator within(Number least, Number most) {
+    const std::string range = CLI::detail::to_string(least) + " to " + CLI::detail::to_string(most);
+    const auto check = [=](const std::string& text) -> std::string {
+        Number number{};
+        const char* const end = text.data() + text.size();
+        const auto [next, error] = std::from_chars(text.data(), end, number);
+        if (error == std::errc{} && next == end && number >= least && number <= most) return {};
+        return "\"" + text + "\" is not a " + (std::is_integral_v<Number> ? "whole number" : "number") +
+               " from " + range;
+    };
+    return CLI::Validator(check, range);
+}
+
 void add_set(CLI::App& verb, std::vector<std::string>& set) {
     verb.add_option("--set", set, "set a parameter, key=value; `whorl list parameters` shows them")
         ->type_name("KEY=VALUE")
@@ -36,7 +53,7 @@ void add_set(CLI::App& verb, std::vector<std::string>& set) {
 void add_threads(CLI::App& verb, int& threads) {
     verb.add_option("--threads", threads, "threads that step; results do not depend on it")
         ->type_name("N")
-        ->check(CLI::Range(1, 256));
+        ->check(within(1, 256));
 }
 
 void add_draw(CLI::App& verb, DrawArguments& draw) {
@@ -44,12 +61,10 @@ void add_draw(CLI::App& verb, DrawArguments& draw) {
     verb.add_option("--map", draw.map, "colours of the picture")->type_name("MAP");
     verb.add_option("--range", draw.range, "values at the ends of the colours; else all that occur")
         ->type_name("LO,HI");
-    verb.add_option("--width", draw.width, "pixels across a field")
-        ->type_name("N")
-        ->check(CLI::Range(100, 8000));
+    verb.add_option("--width", draw.width, "pixels across a field")->type_name("N")->check(within(100, 8000));
     verb.add_option("--scale", draw.scale, "size of letters and lines; else what suits the width")
         ->type_name("S")
-        ->check(CLI::Range(0.5, 8.0));
+        ->check(within(0.5, 8.0));
     verb.add_flag("--light", draw.light, "dark on white, for paper");
     verb.add_flag("--difference", draw.difference, "each lane less the reference lane, or the first");
     verb.add_flag("--crisp", draw.crisp, "cells as squares of one colour");
@@ -91,6 +106,55 @@ std::vector<int> whole_numbers(const std::string& option, const std::string& tex
     }
 }
 
+/// The verb that was asked for; the window's own arguments stand under `app` itself.
+const CLI::App& verb_of(const CLI::App& app) {
+    const std::vector<const CLI::App*> verbs = app.get_subcommands({});
+    const auto asked =
+        std::find_if(verbs.begin(), verbs.end(), [](const CLI::App* v) { return v->parsed(); });
+    return asked == verbs.end() ? app : **asked;
+}
+
+/// The first argument that nothing takes, in one line.
+std::string unexpected(const CLI::App& app) {
+    const std::vector<std::string> left = app.remaining(true);
+    const auto option =
+        std::find_if(left.begin(), left.end(), [](const std::string& a) { return a[0] == '-'; });
+    if (option == left.end()) return "\"" + left.front() + "\" is one argument too many";
+    const CLI::App& verb = verb_of(app);
+    std::vector<std::string> names;
+    for (const CLI::Option* o : verb.get_options(
+             [](const CLI::Option* o) { return !o->get_positional() && !o->get_group().empty(); })) {
+        names.push_back(o->get_name());
+    }
+    const std::vector<std::string_view> known(names.begin(), names.end());
+    const std::string name = option->substr(0, option->find('='));
+    return "unknown option " + name + "; " + suggestion(name, known);
+}
+
+/// The first option that stands before a verb, where only the window's stand.
+std::optional<std::string> misplaced(const CLI::App& app) {
+    const CLI::App& verb = verb_of(app);
+    if (&verb == &app) return {};
+    const auto given = app.get_options([](const CLI::Option* o) { return o->count() > 0; });
+    if (given.empty()) return {};
+    return given.front()->get_name() + " stands before " + verb.get_name() + "; give what " +
+           verb.get_name() + " takes behind it";
+}
+
+/// What the library says of an option with too few values or too many, which begins with its name.
+std::string mismatch(const std::string& said) {
+    const bool missing = said.find("missing") != std::string::npos;
+    return said.substr(0, said.find(':')) + (missing ? " lacks its value" : " is given more than once");
+}
+
+int refuse(const CLI::App& app, std::string reason) {
+    std::replace(reason.begin(), reason.end(), '\n', ' ');
+    const CLI::App& verb = verb_of(app);
+    std::cerr << "whorl: " << reason << "; see whorl " << (&verb == &app ? "" : verb.get_name() + " ")
+              << "--help\n";
+    return exit_bad_input;
+}
+
 }  // namespace
 
 Arguments parse_arguments(int argc, char** argv) {
@@ -117,7 +181,8 @@ Arguments parse_arguments(int argc, char** argv) {
     run_verb
         ->add_option("--steps", run.steps,
                      "how many steps; else up to where it was recorded, or the scene's own")
-        ->type_name("N");
+        ->type_name("N")
+        ->check(within<long>(0, Recording::max_step));
     add_set(*run_verb, run.set);
     add_lanes(*run_verb, run.lanes);
     add_outputs(*run_verb, run);
@@ -128,10 +193,10 @@ Arguments parse_arguments(int argc, char** argv) {
         ->type_name("FILE.mp4|FILE.gif|%04d.png");
     run_verb->add_option("--every", run.every, "steps between two frames of the film")
         ->type_name("N")
-        ->check(CLI::Range(1, 100000));
+        ->check(within(1, 100000));
     run_verb->add_option("--fps", run.fps, "frames of the film a second")
         ->type_name("N")
-        ->check(CLI::Range(1, 240));
+        ->check(within(1, 240));
     run_verb->add_flag("--limiters", run.limiters,
                        "count in --csv the nodes that limiters change in each step");
     run_verb->add_flag("--digest", run.digest, "print a number made from every bit of the fields");
@@ -156,7 +221,10 @@ Arguments parse_arguments(int argc, char** argv) {
     std::string cell;
     CLI::App* explain_verb = app.add_subcommand("explain", "how a step made one value, as sums with numbers");
     explain_verb->add_option("scene", explain.scene, scene_help)->type_name(scene_type)->required();
-    explain_verb->add_option("--at", explain.at, "the step")->type_name("STEP")->required();
+    explain_verb->add_option("--at", explain.at, "the step")
+        ->type_name("STEP")
+        ->check(within<long>(1, Recording::max_step))
+        ->required();
     explain_verb->add_option("--cell", cell, "column and row, from 0 at the lower left; a face's for u and v")
         ->type_name("I,J")
         ->required();
@@ -174,7 +242,8 @@ Arguments parse_arguments(int argc, char** argv) {
     experiment_verb->add_option("--at", at, "steps to report; the last one ends the run")
         ->type_name("STEP,STEP...");
     experiment_verb->add_option("--steps", experiment.steps, "how many steps; else the experiment's own")
-        ->type_name("N");
+        ->type_name("N")
+        ->check(within<long>(0, Recording::max_step));
     add_set(*experiment_verb, experiment.set);
     add_outputs(*experiment_verb, experiment);
     add_threads(*experiment_verb, experiment.threads);
@@ -211,12 +280,14 @@ Arguments parse_arguments(int argc, char** argv) {
         app.parse(argc, argv);
     } catch (const CLI::Success& e) {
         return app.exit(e);
+    } catch (const CLI::ExtrasError&) {
+        return refuse(app, unexpected(app));
+    } catch (const CLI::ArgumentMismatch& e) {
+        return refuse(app, mismatch(e.what()));
     } catch (const CLI::ParseError& e) {
-        std::string reason = e.what();
-        std::replace(reason.begin(), reason.end(), '\n', ' ');
-        std::cerr << "whorl: " << reason << "; see whorl --help\n";
-        return exit_bad_input;
+        return refuse(app, e.what());
     }
+    if (const auto reason = misplaced(app)) return refuse(app, *reason);
     if (run_verb->parsed()) return run;
     if (experiment_verb->parsed()) {
         if (!at.empty()) experiment.at = whole_numbers("--at", at);

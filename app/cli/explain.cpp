@@ -26,8 +26,6 @@ Quantity quantity_called(const std::string& key) {
 
 int run_explain(const ExplainArguments& arguments) {
     const Quantity quantity = quantity_called(arguments.field);
-    if (arguments.at < 1)
-        throw InputError("--at = " + std::to_string(arguments.at) + ": step 1 is the first");
     if (arguments.cell.size() != 2) throw InputError("--cell takes two numbers, as 20,12");
     Pool pool(arguments.threads);
     Session session(recording_for(arguments.scene, arguments.lanes, arguments.set), pool);

@@ -34,9 +34,8 @@ class Drawing {
 
     /// A row a snapshot.
     /// @param range  of the colours where the arguments give none; nothing for all that occur
-    /// @throws InputError if a lane has no such field, std::runtime_error if the picture is larger than the
-    /// driver
-    ///         draws
+    /// @throws InputError if a lane has no such field, std::runtime_error if the driver draws no picture so
+    /// large
     Image draw(std::span<const SessionSnapshot> rows, std::optional<Range> range = {});
     /// What all lanes span of what is drawn.
     Range span(const SessionSnapshot& snapshot) const;

@@ -180,9 +180,6 @@ int run_scene(const RunArguments& arguments) {
     const Recording recording = recording_for(arguments.scene, arguments.lanes, arguments.set);
     const long own = recording.step > 0 ? recording.step : recording.setup.scene.steps;
     const long steps = arguments.steps ? *arguments.steps : own;
-    if (steps < 0 || steps > Recording::max_step)
-        throw InputError("--steps = " + std::to_string(steps) + " is out of range: 0 to " +
-                         std::to_string(Recording::max_step));
     check(arguments);
 
     Pool pool(arguments.threads);

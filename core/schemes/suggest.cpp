@@ -24,26 +24,42 @@ std::size_t distance(std::string_view a, std::string_view b) {
     return row.back();
 }
 
+/// `a, b or c`
+std::string listed(std::span<const std::string_view> words) {
+    std::string text;
+    for (std::size_t k = 0; k < words.size(); ++k) {
+        if (k > 0) text += k + 1 == words.size() ? " or " : ", ";
+        text += words[k];
+    }
+    return text;
+}
+
+/// Whether so many edits are a slip, not another word.
+bool is_slip(std::size_t edits, std::string_view word) {
+    return edits <= std::max<std::size_t>(1, word.size() / 2);
+}
+
 }  // namespace
 
 std::string suggestion(std::string_view word, std::span<const std::string_view> candidates) {
     constexpr std::size_t most = 3;
-    constexpr std::size_t longest = 64;  // no word of ours is; the time grows with each letter
+    constexpr std::size_t longest = 64;        // no word of ours is; the time grows with each letter
+    constexpr std::size_t longest_list = 400;  // letters
     word = word.substr(0, longest);
     std::vector<std::string_view> nearest(candidates.begin(), candidates.end());
     std::stable_sort(nearest.begin(), nearest.end(), [&](std::string_view a, std::string_view b) {
         return distance(word, a) < distance(word, b);
     });
+    if (nearest.empty()) return "there is none";
+    if (!is_slip(distance(word, nearest.front()), word)) {
+        const std::string all = listed(candidates);
+        if (all.size() <= longest_list) return "give " + all;
+    }
     if (nearest.size() > most) nearest.resize(most);
     // What is much farther off than the best is no help.
     while (nearest.size() > 1 && distance(word, nearest.back()) > distance(word, nearest.front()) + 1)
         nearest.pop_back();
-    std::string text = "did you mean ";
-    for (std::size_t k = 0; k < nearest.size(); ++k) {
-        if (k > 0) text += k + 1 == nearest.size() ? " or " : ", ";
-        text += nearest[k];
-    }
-    return text + "?";
+    return "did you mean " + listed(nearest) + "?";
 }
 
 }  // namespace whorl

@@ -73,7 +73,7 @@ TEST_F(CommandLine, ExplainsAValue) {
     EXPECT_NE(lanes.out.find("on a wall: no velocity across"), std::string::npos) << lanes.out;
     expect_refused(whorl("explain plume --at 3 --cell 16"), "--cell takes two numbers");
     expect_refused(whorl("explain plume --at 3 --cell 500,2"), "(500, 2) is no node of density");
-    expect_refused(whorl("explain plume --at 0 --cell 5,2"), "step 1 is the first");
+    expect_refused(whorl("explain plume --at 0 --cell 5,2"), "\"0\" is not a whole number from 1 to");
     expect_refused(whorl("explain plume --at 3 --cell 5,2 --field densty"), "did you mean density");
     expect_refused(whorl("explain rotation --at 3 --cell 5,2 --field u"), "the flow is prescribed");
 }
@@ -109,10 +109,18 @@ TEST_F(CommandLine, RefusesBadInputInOneLine) {
     expect_refused(whorl("run plume --set advector=mccormack"), "did you mean maccormack");
     expect_refused(whorl("run plume --set zeta=9"), "out of range: 0 to 4");
     expect_refused(whorl("run plume --set advector=aslam --set interpolation=b-spline"), "linear weights");
-    expect_refused(whorl("run plume --steps many"), "many");
-    expect_refused(whorl("run plume --steps -4"), "-4");
-    expect_refused(whorl("run plume --colour"), "--colour");
-    expect_refused(whorl("run"), "scene");
+    expect_refused(whorl("run plume --steps many"),
+                   "--steps: \"many\" is not a whole number from 0 to 10000000");
+    expect_refused(whorl("run plume --steps -4"), "--steps: \"-4\" is not");
+    expect_refused(whorl("run plume --steps 1e3"), "--steps: \"1e3\" is not");
+    expect_refused(whorl("run plume --steps"), "--steps lacks its value; see whorl run --help");
+    expect_refused(whorl("run plume --steps 3 --steps 4"), "--steps is given more than once");
+    expect_refused(whorl("run plume --scale big"), "--scale: \"big\" is not a number from 0.5 to 8");
+    expect_refused(whorl("run plume --stepz 3 --foo"), "unknown option --stepz; did you mean --steps?");
+    expect_refused(whorl("run plume one two"), "\"one\" is one argument too many");
+    expect_refused(whorl("--set zeta=1 run plume"), "--set stands before run");
+    expect_refused(whorl("run xyz"), "give plume, plume-obstacle,");
+    expect_refused(whorl("run"), "scene is required; see whorl run --help");
     expect_refused(whorl("run plume --steps 1 --picture p.png --map viridid"), "did you mean viridis");
     expect_refused(whorl("run plume --steps 1 --picture p.png --view dens"), "did you mean density");
     expect_refused(whorl("run plume --steps 1 --picture p.png --range 3,1"), "rising");
