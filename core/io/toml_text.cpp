@@ -25,6 +25,26 @@ void check_dots(std::string_view text, std::string_view name) {
     }
 }
 
+struct Phrase {
+    std::string_view theirs, ours;
+};
+
+/// What the library says without a word of what would be right.
+constexpr Phrase phrases[] = {
+    {"unescaped control characters",
+     R"(a text ends in the line that it begins in: close it with ", or write it between """ and """)"},
+    {"string: encountered end-of-file", R"(a text is not closed: """ is missing)"},
+    {"array: encountered end-of-file", "a list is not closed: ] is missing"},
+    {"could not determine value type", R"(this is no value; a text stands in "quotes")"},
+};
+
+std::string plain_words(std::string_view reason) {
+    for (const Phrase& p : phrases) {
+        if (reason.find(p.theirs) != std::string_view::npos) return std::string(p.ours);
+    }
+    return std::string(reason);
+}
+
 }  // namespace
 
 void fail_at(std::string_view name, const toml::source_position& at, std::string_view reason) {
@@ -48,7 +68,7 @@ toml::table parse_toml(std::string_view text, std::string_view name, std::size_t
     try {
         return toml::parse(text, name);
     } catch (const toml::parse_error& e) {
-        fail_at(name, e.source().begin, e.description());
+        fail_at(name, e.source().begin, plain_words(e.description()));
     }
 }
 
