@@ -72,12 +72,51 @@ void controls(PanelContext& context, InterpolationLab& lab) {
                        "thesis eq. 3.8", ""});
 }
 
+/// The curves from back to front: the one that is pointed at lies over the others.
+std::vector<std::size_t> drawing_order(const InterpolationLab& lab) {
+    std::vector<std::size_t> order;
+    for (std::size_t k = schemes_count; k-- > 0;) {
+        if (lab.shown[k] && lab.pointed != k) order.push_back(k);
+    }
+    if (lab.pointed && lab.shown[*lab.pointed]) order.push_back(*lab.pointed);
+    return order;
+}
+
+/// Curves that lie on each other take turns, so that each of them is seen: as dashes in their colours.
 void draw_curves(const Theme& theme, const InterpolationLab& lab, const Canvas& canvas,
                  const Curves& curves) {
-    for (std::size_t k = schemes_count; k-- > 0;) {
-        if (!lab.shown[k]) continue;
+    constexpr float same = 0.25f;  // pixels
+    const float turn = theme.px(9);
+    const std::size_t segments = curves.x.size() - 1;
+    std::vector<bool> drawn(segments);
+    const std::vector<std::size_t> order = drawing_order(lab);
+    const auto height = [&](std::size_t k, std::size_t m) {
+        return canvas.pixel(0, static_cast<double>(curves.y[k][m])).y;
+    };
+    const auto one = [&](std::size_t a, std::size_t b, std::size_t m) {
+        return std::abs(height(a, m) - height(b, m)) < same &&
+               std::abs(height(a, m + 1) - height(b, m + 1)) < same;
+    };
+    for (const std::size_t k : order) {
+        for (std::size_t m = 0; m < segments; ++m) {
+            std::size_t place = 0, together = 0;
+            for (const std::size_t other : order) {
+                if (other != k && (lab.pointed == k || !one(k, other, m))) continue;
+                if (other == k) place = together;
+                ++together;
+            }
+            const float at = canvas.pixel(static_cast<double>(curves.x[m]), 0).x - canvas.frame().low.x;
+            drawn[m] = static_cast<std::size_t>(std::max(at, 0.0f) / turn) % together == place;
+        }
         const float thickness = lab.pointed == k ? 2 * curve_thickness(theme) : curve_thickness(theme);
-        canvas.curve(curves.x, curves.y[k], interpolation_colour(theme, k), thickness);
+        for (std::size_t from = 0, to = 0; from < segments; from = to) {
+            to = from + 1;
+            if (!drawn[from]) continue;
+            while (to < segments && drawn[to]) ++to;
+            canvas.curve(std::span(curves.x).subspan(from, to - from + 1),
+                         std::span(curves.y[k]).subspan(from, to - from + 1), interpolation_colour(theme, k),
+                         thickness);
+        }
     }
 }
 
@@ -247,8 +286,8 @@ void region_plot(PanelContext& context, const InterpolationLab& lab, const Repor
     if (!canvas) return;
     draw_region(theme, canvas);
     std::optional<std::size_t> under;
-    for (std::size_t k = schemes_count; k-- > 0;) {
-        if (!lab.shown[k] || reports[k].flat) continue;
+    for (const std::size_t k : drawing_order(lab)) {
+        if (reports[k].flat) continue;
         const Frame& f = canvas.frame();
         const double alpha = std::clamp(reports[k].alpha, f.x.lo, f.x.hi);
         const double beta = std::clamp(reports[k].beta, f.y.lo, f.y.hi);

@@ -12,7 +12,8 @@ namespace whorl::app {
 ImU32 interpolation_colour(const Theme& theme, std::size_t k) {
     const std::size_t hues = theme.palette.series.size();
     if (k < hues) return theme.palette.series[k];
-    return k == hues ? theme.palette.text : theme.palette.text_dim;
+    // The B-spline, which misses the points, is not in their white.
+    return k == hues ? theme.palette.text_dim : theme.palette.text;
 }
 
 float chip_width(int count) {

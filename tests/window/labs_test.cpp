@@ -4,6 +4,7 @@
 #include <rapidcheck/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
@@ -350,6 +351,42 @@ TEST(LabWindows, APointIsDraggedAndAnIntervalChosen) {
     const Place set = places_in(trace.path).at("interpolation-data=spike");
     window.click({set.x, set.y});
     EXPECT_EQ(lab.values[5], 1);
+}
+
+TEST(LabWindows, CurvesThatLieOnEachOtherAreAllSeen) {
+    HeadlessUi ui(1600, 1000, 1);
+    const TracePath trace;
+    LanesWindow window(ui, {.setup = {.scene = small_rotation()}}, trace.path);
+    InterpolationLab& lab = window.view.labs.interpolation;
+    lab.open = true;
+    lab.shown.fill(false);
+    // Of the points that Figure 3.5 shows, in one dimension, these are one cubic.
+    const std::size_t one[] = {Interpolations::of<CatmullRom>().index(),
+                               Interpolations::of<MonotoneCatmullRom>().index(),
+                               Interpolations::of<Bicubic>().index()};
+    for (const std::size_t k : one) lab.shown[k] = true;
+    for (int frame = 0; frame < 3; ++frame) window.frame();
+    const Place card = places_in(trace.path).at("interpolation-inset");
+    // The colour that was drawn last over each dozen of pixels.
+    std::map<int, ImU32> on_top;
+    const auto look = [&](const ImDrawVert& v) {
+        if (std::abs(v.pos.x - card.x) > card.width / 2 || std::abs(v.pos.y - card.y) > card.height / 2)
+            return;
+        for (const std::size_t k : one) {
+            if (v.col == interpolation_colour(ui.theme, k)) on_top[static_cast<int>(v.pos.x / 12)] = v.col;
+        }
+    };
+    for (const ImGuiWindow* drawn : ImGui::GetCurrentContext()->Windows) {
+        if (drawn->WasActive)
+            std::for_each(drawn->DrawList->VtxBuffer.begin(), drawn->DrawList->VtxBuffer.end(), look);
+    }
+    ASSERT_GE(on_top.size(), 20u);
+    for (const std::size_t k : one) {
+        const auto seen = std::count_if(on_top.begin(), on_top.end(), [&](const auto& place) {
+            return place.second == interpolation_colour(ui.theme, k);
+        });
+        EXPECT_GE(seen * 8, static_cast<long>(on_top.size())) << Interpolations::infos[k].key;
+    }
 }
 
 TEST(LabWindows, EveryInterpolationHasAColourOfItsOwn) {
