@@ -124,6 +124,10 @@ void GlfwWindow::close() {
     glfwSetWindowShouldClose(window_, GLFW_TRUE);
 }
 
+void GlfwWindow::await_events(double seconds) {
+    glfwWaitEventsTimeout(seconds);
+}
+
 const std::vector<InputEvent>& GlfwWindow::begin_frame() {
     glfwPollEvents();
     glfwGetFramebufferSize(window_, &width_, &height_);

@@ -27,6 +27,8 @@ class GlfwWindow {
     int framebuffer_width() const { return width_; }
     int framebuffer_height() const { return height_; }
 
+    /// Waits until the system's next event, at most so long.
+    void await_events(double seconds);
     /// Lets the system's events come in, follows size and content scale, and begins an ImGui frame.
     /// @return the input since the last frame
     const std::vector<InputEvent>& begin_frame();

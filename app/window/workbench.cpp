@@ -72,12 +72,21 @@ Workbench::Workbench(const WindowOptions& options, GlfwWindow& window)
     if (options.tour.value_or(!tour_seen())) view_.tour.begin();
 }
 
+/// Whether nothing has moved for a while and nobody has done anything, so that a few frames a second will do.
+bool Workbench::rests() const {
+    constexpr double quiet = 2;  // seconds: hover help has come by then
+    return clock_.time() > stirred_ + quiet;
+}
+
 void Workbench::frame() {
+    const bool rested = rests();
+    if (rested) window_.await_events(0.1);
+    if (!std::exchange(rested_, rested) && rested) trace_.event("rest", "");
     clock_.wait();
     // The first frames open the window and build fonts and shaders.
     if (warm_up_ > 0) {
         --warm_up_;
-    } else {
+    } else if (!rested) {
         frames_.add(clock_.interval_ms(), clock_.work_ms());
     }
     notices_.set_time(clock_.time());
@@ -85,6 +94,9 @@ void Workbench::frame() {
     const std::vector<InputEvent>& events = window_.begin_frame();
     take_run();
     for (const InputEvent& event : events) act_on(event);
+    const std::uint64_t serial = remote_.session().serial;
+    if (std::exchange(serial_, serial) != serial || !events.empty() || remote_.playing())
+        stirred_ = clock_.time();
     brush_.end_frame(remote_);
     lessons_.set_open(view_.lessons, remote_);
     draw();

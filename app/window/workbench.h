@@ -29,6 +29,7 @@ class Workbench {
     void frame();
 
   private:
+    bool rests() const;
     void act_on(const InputEvent& event);
     void press_key(const InputEvent& event);
     void escape();
@@ -41,7 +42,10 @@ class Workbench {
     GlfwWindow& window_;
     Trace trace_;
     FrameClock clock_;
-    int warm_up_ = 5;  ///< frames that are not measured yet
+    int warm_up_ = 5;           ///< frames that are not measured yet
+    std::uint64_t serial_ = 0;  ///< of the moment on screen
+    bool rested_ = false;       ///< before the last frame
+    double stirred_ = 0;        ///< when something last came in or moved, seconds of the clock
     Notices notices_;
     ViewState view_;
     MeasureView measure_view_;

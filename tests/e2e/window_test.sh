@@ -82,6 +82,8 @@ sleep 0.5
 at=$(value step)
 sleep 0.5
 [ "$(value step)" = "$at" ] || fail "it steps while paused"
+until_seen '"event":"rest"'
+say "the window rests"
 xdotool key period
 until_ step "==" $((at + 1))
 say "pause and single step"
