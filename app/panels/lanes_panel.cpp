@@ -50,13 +50,13 @@ void comparison_list(PanelContext& context) {
     row_label(context.theme, "Compare");
     const float room = ImGui::CalcItemWidth() - 1.4f * ImGui::GetFrameHeight();
     if (ImGui::BeginCombo("##compare", fitted(shown, room).c_str(), ImGuiComboFlags_HeightLargest)) {
-        if (ImGui::Selectable("One lane", setup.lanes == LaneList(1)))
+        if (list_item("One lane", setup.lanes == LaneList(1)))
             compare(context, {.title = {}, .lanes = LaneList(1)});
         context.trace.control("comparison=one");
         context.help.item(context.theme, "comparison=one",
                           {"One lane", "The scene alone, from its start.", "", "", ""});
         for (std::size_t k = 0; k < known.size(); ++k) {
-            if (ImGui::Selectable(known[k].title.c_str(), current == known.begin() + static_cast<long>(k)))
+            if (list_item(known[k].title.c_str(), current == known.begin() + static_cast<long>(k)))
                 compare(context, known[k]);
             const std::string key = "comparison=" + std::string(comparisons()[k].key);
             context.trace.control(key);
@@ -273,7 +273,7 @@ void reference_list(PanelContext& context, const LaneNames& names) {
         context.remote.arrange(std::move(changed));
     };
     if (ImGui::BeginCombo("##reference", fitted(shown, room).c_str())) {
-        if (ImGui::Selectable("None", chosen == no_reference)) choose(no_reference);
+        if (list_item("None", chosen == no_reference)) choose(no_reference);
         context.trace.control("reference=none");
         context.help.item(context.theme, "reference=none",
                           {"None",
@@ -282,7 +282,7 @@ void reference_list(PanelContext& context, const LaneNames& names) {
                            "", "", ""});
         for (std::size_t k = 0; k < names.size(); ++k) {
             const std::string id = names.name(k) + "##" + std::to_string(k);
-            if (ImGui::Selectable(id.c_str(), chosen == static_cast<int>(k))) choose(static_cast<int>(k));
+            if (list_item(id.c_str(), chosen == static_cast<int>(k))) choose(static_cast<int>(k));
             const std::string key = "reference=" + std::to_string(k + 1);
             context.trace.control(key);
             context.help.item(context.theme, key,

@@ -83,7 +83,7 @@ void choice(PanelContext& context, const Parameter& p, const char* id) {
     for (std::size_t k = 0; k < p.choices.size(); ++k) {
         const SchemeInfo& info = p.choices[k];
         const std::string label(info.label);
-        if (ImGui::Selectable(label.c_str(), k == chosen) && k != chosen) {
+        if (list_item(label.c_str(), k == chosen) && k != chosen) {
             context.remote.set(p, static_cast<double>(k));
         }
         const std::string key = p.key + "=" + std::string(info.key);

@@ -65,7 +65,7 @@ void scene_item(PanelContext& context, std::string_view key, const Scene& scene,
                 std::string_view source, std::string_view hint) {
     const std::string id = scene.title + "##" + std::string(key);
     const bool chosen = context.remote.loaded() == key;
-    if (ImGui::Selectable(id.c_str(), chosen)) context.remote.load_scene(key, scene);
+    if (list_item(id.c_str(), chosen)) context.remote.load_scene(key, scene);
     const std::string name = "scene=" + std::string(key);
     context.trace.control(name);
     context.help.item(context.theme, name, {scene.title, help, hint, source, ""});

@@ -45,7 +45,7 @@ void map_list(PanelContext& context) {
     if (ImGui::BeginCombo("##map", std::string(chosen.label).c_str())) {
         for (const ColourMap& map : colour_maps()) {
             if (map.kind != chosen.kind) continue;
-            if (ImGui::Selectable(std::string(map.label).c_str(), map.key == chosen.key)) {
+            if (list_item(std::string(map.label).c_str(), map.key == chosen.key)) {
                 context.view.choose(map);
             }
             const std::string key = "map=" + std::string(map.key);

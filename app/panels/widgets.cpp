@@ -188,6 +188,12 @@ bool slider(const Theme& theme, const char* id, int& value, SliderRange range, s
     return changed;
 }
 
+bool list_item(const char* label, bool chosen) {
+    const bool taken = ImGui::Selectable(label, chosen);
+    if (chosen) ImGui::SetItemDefaultFocus();
+    return taken;
+}
+
 bool check(const char* label, bool value) {
     return ImGui::Checkbox(label, &value);
 }

@@ -32,6 +32,9 @@ std::vector<float> shared_widths(std::span<const char* const> labels, float room
 /// A button that shows whether it is chosen.
 bool chip(const Theme& theme, const char* label, bool chosen, float width);
 
+/// A line of an open list; the arrow keys begin at the chosen one. @return whether it was taken
+bool list_item(const char* label, bool chosen);
+
 /// A check box that looks like the theme. @return whether it was clicked
 bool check(const char* label, bool value);
 

@@ -50,6 +50,18 @@ bool list_open() {
     return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
 }
 
+/// Whether arrow keys and Enter choose in what is open; else they are the window's own.
+void lists_take_keys(bool take) {
+    ImGuiConfigFlags& flags = ImGui::GetIO().ConfigFlags;
+    flags = take ? flags | ImGuiConfigFlags_NavEnableKeyboard : flags & ~ImGuiConfigFlags_NavEnableKeyboard;
+}
+
+/// Takes the line of an open list that the arrow keys have come to: ImGui's own key for it is Space alone.
+void take_line() {
+    const ImGuiContext& gui = *ImGui::GetCurrentContext();
+    if (!gui.NavDisableHighlight && gui.NavId != 0) ImGui::ActivateItem(gui.NavId);
+}
+
 /// A player whose threads give way to the window's: on Linux, threads inherit the niceness of their maker,
 /// and only the calling thread's is changed here.
 std::unique_ptr<Player> make_player(const WindowOptions& options) {
@@ -137,7 +149,7 @@ void Workbench::act_on(const InputEvent& event) {
     if (lessons_.take(event, remote_, view_)) return;
     switch (event.kind) {
         case Kind::Character:
-            if (!files_.dialog && !list_open()) type(event);
+            if (!files_.dialog && !list_open_) type(event);
             break;
         case Kind::Drop:
             files_.open = event.path;
@@ -161,12 +173,15 @@ void Workbench::act_on(const InputEvent& event) {
 }
 
 void Workbench::press_key(const InputEvent& event) {
-    if (!ImGui::GetIO().WantTextInput && !files_.dialog) travel(event.code);
+    if (!ImGui::GetIO().WantTextInput && !files_.dialog && !list_open_) travel(event.code);
     if (event.repeated) return;
     if (event.code == GLFW_KEY_F12) files_.take_picture = true;
     if (event.code == GLFW_KEY_ESCAPE) escape();
     if (event.code == GLFW_KEY_TAB && !ImGui::GetIO().WantTextInput) view_.peek = true;
-    if (event.code == GLFW_KEY_ENTER || event.code == GLFW_KEY_KP_ENTER) files_.enter = true;
+    if (event.code == GLFW_KEY_ENTER || event.code == GLFW_KEY_KP_ENTER) {
+        files_.enter = true;
+        if (list_open_ && !files_.dialog) take_line();
+    }
     if ((event.mods & GLFW_MOD_CONTROL) == 0) return;
     if (event.code == GLFW_KEY_S) files_.save_run = true;
     if (event.code == GLFW_KEY_O) files_.ask_open = true;
@@ -177,7 +192,10 @@ void Workbench::press_key(const InputEvent& event) {
 void Workbench::escape() {
     files_.escape = true;
     if (files_.dialog || ImGui::GetIO().WantTextInput) return;
-    if (list_open()) return ImGui::ClosePopupToLevel(0, true);
+    if (list_open_) {
+        if (list_open()) ImGui::ClosePopupToLevel(0, true);
+        return;
+    }
     if (!std::exchange(view_.help, false)) close_top_lab(view_.labs);
 }
 
@@ -263,6 +281,8 @@ void Workbench::draw() {
     draw_tour(context);
     draw_help_overlay(context);
     help_.end_frame();
+    list_open_ = list_open();
+    lists_take_keys(list_open_ && !files_.dialog);
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     if (on_wipe_line(place_, static_cast<double>(mouse.x), static_cast<double>(mouse.y)))
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);

@@ -44,6 +44,7 @@ class Workbench {
     FrameClock clock_;
     int warm_up_ = 5;           ///< frames that are not measured yet
     std::uint64_t serial_ = 0;  ///< of the moment on screen
+    bool list_open_ = false;    ///< at the end of the last frame
     bool rested_ = false;       ///< before the last frame
     double stirred_ = 0;        ///< when something last came in or moved, seconds of the clock
     Notices notices_;

@@ -65,6 +65,10 @@ click interpolation
 click interpolation=fritsch-carlson
 until_ interpolation "==" fritsch-carlson
 say "another interpolation"
+click interpolation
+for key in Down Return; do xdotool sleep 0.3 keydown $key sleep 0.2 keyup $key; done
+until_ interpolation "==" fritsch-carlson-square
+say "the next one, by keys"
 click advector
 click advector=aslam
 until_ advector "==" aslam
