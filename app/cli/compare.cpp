@@ -50,7 +50,7 @@ void write_rows(Series& csv, const SessionSnapshot& s, Viscosities& viscosities)
                               m.errors.L2,
                               m.errors.Linf,
                               viscosities.take(k)};
-        csv.row(names[k], row);
+        csv.row({names[k]}, row);
     }
 }
 

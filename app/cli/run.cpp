@@ -8,91 +8,15 @@
 #include "app/cli/exit_code.h"
 #include "app/cli/headless.h"
 #include "app/cli/progress.h"
+#include "app/cli/run_tables.h"
 #include "app/cli/verbs.h"
 #include "app/film/film.h"
 #include "app/plot/ticks.h"
 #include "core/io/run_file.h"
-#include "core/io/series.h"
 #include "core/scene/error.h"
 
 namespace whorl::app {
 namespace {
-
-/// A row a step, or with several lanes a row a step and lane.
-class Rows {
-  public:
-    Rows(const std::string& file, const Setup& setup, bool limited)
-        : names_(titles(setup)),
-          limited_(limited),
-          series_(file, std::string(names_.size() > 1 ? "lane," : "") + columns +
-                            (limited ? ",limited_density,limited_velocity" : "")) {}
-    void add(const Session& session) {
-        for (std::size_t k = 0; k < session.lane_count(); ++k) {
-            const Measures& m = session.measures(k);
-            const double row[] = {static_cast<double>(session.step_number()),
-                                  m.time,
-                                  m.density_percent,
-                                  m.kinetic_energy,
-                                  m.enstrophy,
-                                  m.divergence_after,
-                                  m.min_density,
-                                  m.max_density,
-                                  m.limited.density,
-                                  m.limited.velocity};
-            const std::span<const double> shown = std::span(row).first(std::size(row) - (limited_ ? 0 : 2));
-            if (names_.size() > 1) {
-                series_.row(k < names_.size() ? names_[k] : std::to_string(k + 1), shown);
-            } else {
-                series_.row(shown);
-            }
-        }
-    }
-    void finish() { series_.finish(); }
-
-  private:
-    static constexpr const char* columns =
-        "step,time,density_percent,kinetic_energy,enstrophy,max_divergence,min,max";
-    std::vector<std::string> names_;
-    bool limited_;
-    Series series_;
-};
-
-/// Medians over the steps of a run, row by row.
-class Timing {
-  public:
-    explicit Timing(long steps) { steps_.reserve(static_cast<std::size_t>(steps)); }
-    void add(const Measures& m) { steps_.push_back({m.ms, m.pressure}); }
-    void write(const std::string& file) const {
-        Series series(file, "phase,median_ms");
-        series.row("forces", median([](const Step& s) { return s.ms.forces; }));
-        series.row("projection", median([](const Step& s) { return s.ms.projection; }));
-        series.row("advection", median([](const Step& s) { return s.ms.advection; }));
-        series.row("total", median([](const Step& s) { return s.ms.total; }));
-        // Within the projection; the last two are no times.
-        series.row("pressure_setup", median([](const Step& s) { return s.pressure.setup_ms; }));
-        series.row("pressure_solve", median([](const Step& s) { return s.pressure.solve_ms; }));
-        series.row("pressure_iterations", median([](const Step& s) { return s.pressure.iterations; }));
-        series.row("pressure_residual", median([](const Step& s) { return s.pressure.residual; }));
-        series.finish();
-    }
-
-  private:
-    struct Step {
-        PhaseTimes ms;
-        SolveReport pressure;
-    };
-    template <class Figure>
-    double median(Figure&& figure) const {
-        if (steps_.empty()) return 0;
-        std::vector<double> values;
-        values.reserve(steps_.size());
-        for (const Step& step : steps_) values.push_back(figure(step));
-        const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-        std::nth_element(values.begin(), middle, values.end());
-        return *middle;
-    }
-    std::vector<Step> steps_;
-};
 
 /// Frames of the steps that a film shows. Its colours take in what they have seen: they do not flicker.
 class Filming {
@@ -188,17 +112,18 @@ int run_scene(const RunArguments& arguments) {
     Session session(recording, pool);
     std::optional<Filming> film;
     if (!arguments.animate.empty()) film.emplace(arguments, pool);
+    RowNames names(recording);
     std::optional<Rows> csv;
-    if (!arguments.csv.empty()) csv.emplace(arguments.csv, recording.setup, arguments.limiters);
+    if (!arguments.csv.empty()) csv.emplace(arguments.csv, names, arguments.limiters);
     session.watch_limiters(csv && arguments.limiters);
-    Timing timing(steps);
+    Timings timings(names);
     {
         Progress progress(arguments.scene, steps);
         if (film) film->add(session);
         while (session.step_number() < steps) {
             session.step();
             check_lanes(session);
-            timing.add(session.measures(0));
+            timings.add(session);
             if (csv) csv->add(session);
             if (film) film->add(session);
             progress.at(session.step_number());
@@ -206,7 +131,7 @@ int run_scene(const RunArguments& arguments) {
     }
     say_stopped(session);
     if (csv) csv->finish();
-    if (!arguments.timing.empty()) timing.write(arguments.timing);
+    if (!arguments.timing.empty()) timings.write(arguments.timing);
     if (film) {
         film->finish();
         say_written("film", arguments.animate);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>
+#include <utility>
 
 namespace whorl {
 namespace {
@@ -40,14 +41,17 @@ void Series::put(std::string line) {
 }
 
 void Series::row(std::span<const double> values) {
-    std::string line;
-    for (std::size_t k = 0; k < values.size(); ++k) line += (k > 0 ? "," : "") + figure(values[k]);
-    put(std::move(line));
+    row({}, values);
 }
 
-void Series::row(std::string_view name, std::span<const double> values) {
-    std::string line = field(name);
-    for (const double value : values) line += ',' + figure(value);
+void Series::row(std::initializer_list<std::string_view> names, std::span<const double> values) {
+    std::string line;
+    bool first = true;
+    const auto add = [&](const std::string& text) {
+        line += (std::exchange(first, false) ? "" : ",") + text;
+    };
+    for (const std::string_view name : names) add(field(name));
+    for (const double value : values) add(figure(value));
     put(std::move(line));
 }
 

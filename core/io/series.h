@@ -1,6 +1,7 @@
 // Rows of numbers as CSV, to a file or to standard output.
 #pragma once
 
+#include <initializer_list>
 #include <optional>
 #include <span>
 
@@ -17,9 +18,8 @@ class Series {
 
     /// One row; numbers that are not finite leave their column empty.
     void row(std::span<const double> values);
-    /// One that begins with a name.
-    void row(std::string_view name, std::span<const double> values);
-    void row(std::string_view name, double value) { row(name, {&value, 1}); }
+    /// One that begins with names.
+    void row(std::initializer_list<std::string_view> names, std::span<const double> values);
     /// Completes the file.  @throws std::runtime_error as the constructor; the file is then not there
     void finish();
 

@@ -85,6 +85,33 @@ TEST_F(CommandLine, WritesRowsOfEveryLane) {
     EXPECT_NE(whorl("run named.toml --steps 1 --csv -").out.find("\"a, \"\"b\"\"\",1,"), std::string::npos);
 }
 
+TEST_F(CommandLine, RowsKeepALanesNameWhereverItMoves) {
+    write("drawn.toml", drawn_run);
+    ASSERT_EQ(whorl("run drawn.toml --csv rows.csv --timing times.csv").code, 0);
+    const std::string rows = contents("rows.csv");
+    std::vector<std::string> names;  // of step 36, after the lanes have changed places and a third has come
+    std::istringstream lines(rows);
+    for (std::string line; std::getline(lines, line);) {
+        const std::size_t comma = line.find(',');
+        if (line.compare(comma, 4, ",36,") == 0) names.push_back(line.substr(0, comma));
+    }
+    ASSERT_EQ(names.size(), 3u) << rows;
+    EXPECT_NE(rows.find("\n" + names[0] + ",34,"), std::string::npos) << "the second lane until then";
+    EXPECT_EQ(names[1], "one") << "the first lane until then";
+    EXPECT_NE(names[2].find("27"), std::string::npos) << "by what differs: " << names[2];
+    const std::string times = contents("times.csv");
+    EXPECT_TRUE(times.starts_with("lane,phase,median_ms\n")) << times;
+    for (const std::string& name : names)
+        EXPECT_NE(times.find("\n" + name + ",total,"), std::string::npos) << times;
+    // A run that begins with one lane and is given another one names both.
+    write("one.toml",
+          "whorl = 1\nexperiment = \"plume\"\nresolution = 16\nstep = 4\ncommands = \"\"\"\n2 lanes "
+          "0\n\"\"\"\n[[arrangement]]\n[[arrangement.lane]]\nfrom = 0\n[[arrangement.lane]]\nfrom = 0\n");
+    const Outcome one = whorl("run one.toml --csv -");
+    EXPECT_TRUE(one.out.starts_with("lane,step,")) << one.out;
+    EXPECT_EQ(one.lines(), 1u + 1 + 2 * 3) << one.out;
+}
+
 TEST_F(CommandLine, EveryVerbTakesAFileOrAPicture) {
     write("s.toml", "whorl = 1\nexperiment = \"translation\"\nresolution = 20\nsteps = 30\n");
     ASSERT_EQ(whorl("run s.toml --steps 2 --picture p.png").code, 0);
