@@ -10,6 +10,7 @@
 #include "core/experiments/experiment.h"
 #include "core/scene/error.h"
 #include "core/scene/parameters.h"
+#include "tests/support/eventually.h"
 
 namespace whorl {
 namespace {
@@ -18,16 +19,6 @@ Recording small_plume() {
     Scene scene = scene_of(experiment("plume"));
     set_parameter(scene, "resolution=24");
     return {.setup = {.scene = scene}};
-}
-
-/// Waits for what the player does in its own time; long enough for a loaded machine under a sanitizer.
-template <class Condition>
-bool eventually(Condition&& condition) {
-    for (int k = 0; k < 20000; ++k) {
-        if (condition()) return true;
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    return false;
 }
 
 TEST(Player, ShowsTheStartAndWaits) {

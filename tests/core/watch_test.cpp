@@ -1,10 +1,7 @@
 // What is watched of a run: the sum behind a node, and where limiters acted.
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
-#include <functional>
-#include <thread>
 
 #include "core/experiments/experiment.h"
 #include "core/inspect/explain.h"
@@ -12,6 +9,7 @@
 #include "core/inspect/text.h"
 #include "core/scene/parameters.h"
 #include "core/session/player.h"
+#include "tests/support/eventually.h"
 
 namespace whorl {
 namespace {
@@ -21,11 +19,6 @@ Recording plume(const char* advector = "maccormack", int resolution = 16) {
     set_parameter(scene, "resolution=" + std::to_string(resolution));
     set_parameter(scene, std::string("advector=") + advector);
     return {.setup = {.scene = scene}, .commands = {}, .step = 0};
-}
-
-bool eventually(const std::function<bool()>& holds) {
-    for (int k = 0; k < 3000 && !holds(); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    return holds();
 }
 
 const Watch::Node node{Quantity::Density, {20, 6}};

@@ -4,9 +4,9 @@
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <functional>
-#include <thread>
+
+#include "tests/support/eventually.h"
 
 namespace whorl::app {
 namespace {
@@ -32,13 +32,11 @@ struct Painted {
         brush.take({.kind = kind, .x = x, .y = y, .code = button, .mods = mods}, field);
     }
     /// Waits until the paused run has taken what was sent.
-    bool eventually(const std::function<bool(const Snapshot&)>& is_so, int patience = 500) {
-        for (int k = 0; k < patience; ++k) {
+    bool eventually(const std::function<bool(const Snapshot&)>& is_so) {
+        return whorl::eventually([&] {
             remote.begin_frame();
-            if (is_so(remote.snapshot())) return true;
-            std::this_thread::sleep_for(std::chrono::milliseconds(10));
-        }
-        return false;
+            return is_so(remote.snapshot());
+        });
     }
 };
 
@@ -84,7 +82,10 @@ TEST(BrushTool, IgnoresWhatIsNotOnTheField) {
     p.field.covered = true;
     p.event(Kind::Press, 300, 250);
     p.brush.end_frame(p.remote);
-    EXPECT_FALSE(p.eventually([&](const Snapshot&) { return p.remote.session().serial > 0; }, 20));
+    EXPECT_TRUE(lastingly([&] {
+        p.remote.begin_frame();
+        return p.remote.session().serial == 0;
+    }));
 }
 
 TEST(BrushTool, TheWheelStaysInRange) {

@@ -3,10 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
-#include <functional>
-#include <thread>
+#include <optional>
 
+#include "tests/support/eventually.h"
 #include "tests/support/own_directory.h"
 
 namespace whorl::app {
@@ -35,10 +34,8 @@ class FilmMaking : public test::OwnDirectory {
         return path;
     }
     static FilmMaker::Outcome outcome_of(FilmMaker& maker) {
-        for (int k = 0; k < 2000; ++k) {
-            if (auto outcome = maker.take_outcome()) return *outcome;
-            std::this_thread::sleep_for(std::chrono::milliseconds(10));
-        }
+        std::optional<FilmMaker::Outcome> outcome;
+        if (eventually([&] { return (outcome = maker.take_outcome()).has_value(); })) return *outcome;
         return {"", "nothing came of it", false};
     }
     std::size_t left() const {
@@ -76,7 +73,7 @@ TEST_F(FilmMaking, AFailureGivesItsReasonAndLeavesNothing) {
 TEST_F(FilmMaking, WhatIsCancelledLeavesNothing) {
     FilmMaker maker(program("echo half > \"$(dirname \"$4\")/0001.png\"; exec sleep 1000"));
     maker.start({}, pictures, 0);
-    while (left() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    ASSERT_TRUE(eventually([&] { return left() > 0; }));
     maker.cancel();
     EXPECT_TRUE(outcome_of(maker).cancelled);
     EXPECT_EQ(left(), 0u);
@@ -86,7 +83,7 @@ TEST_F(FilmMaking, ClosingTheWindowLeavesNothing) {
     {
         FilmMaker maker(program("exec sleep 1000"));
         maker.start({}, pictures, 0);
-        while (left() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        ASSERT_TRUE(eventually([&] { return left() > 0; }));
     }
     EXPECT_EQ(left(), 0u);
 }

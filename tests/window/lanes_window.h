@@ -1,15 +1,14 @@
 // The three columns of the window for a set of lanes, drawn without a display.
 #pragma once
 
-#include <chrono>
 #include <functional>
-#include <thread>
 
 #include "app/labs/labs.h"
 #include "app/panels/control_column.h"
 #include "app/panels/field_area.h"
 #include "app/panels/measure_column.h"
 #include "app/window/layout.h"
+#include "tests/support/eventually.h"
 #include "tests/support/headless_ui.h"
 
 namespace whorl::app {
@@ -55,13 +54,11 @@ struct LanesWindow {
     }
     /// Frames until something is so.
     template <class IsSo>
-    bool eventually(IsSo&& is_so, int patience = 500) {
-        for (int k = 0; k < patience; ++k) {
+    bool eventually(IsSo&& is_so) {
+        return whorl::eventually([&] {
             frame();
-            if (is_so()) return true;
-            std::this_thread::sleep_for(std::chrono::milliseconds(10));
-        }
-        return false;
+            return is_so();
+        });
     }
     /// Moves the pointer there and presses a button, over some frames, as ImGui needs them.
     void click(ImVec2 at, int button = 0) {

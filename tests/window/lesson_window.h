@@ -4,11 +4,9 @@
 #include <gtest/gtest.h>
 #include <imgui_internal.h>
 
-#include <chrono>
-#include <thread>
-
 #include "app/panels/lesson_panel.h"
 #include "app/panels/lesson_text.h"
+#include "tests/support/eventually.h"
 #include "tests/support/headless_ui.h"
 
 namespace whorl::app {
@@ -50,13 +48,11 @@ struct LessonWindow {
         });
     }
     template <class IsSo>
-    bool eventually(IsSo&& is_so, int patience = 1500) {
-        for (int k = 0; k < patience; ++k) {
+    bool eventually(IsSo&& is_so) {
+        return whorl::eventually([&] {
             frame();
-            if (is_so()) return true;
-            std::this_thread::sleep_for(std::chrono::milliseconds(10));
-        }
-        return false;
+            return is_so();
+        });
     }
     void press(int key) {
         EXPECT_TRUE(walk.take({.kind = InputEvent::Kind::Key, .code = key}, remote, view));

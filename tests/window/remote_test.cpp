@@ -3,11 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
-#include <thread>
 
 #include "app/panels/applicability.h"
 #include "core/experiments/experiment.h"
+#include "tests/support/eventually.h"
 
 namespace whorl::app {
 namespace {
@@ -25,20 +24,14 @@ struct Steered {
     }
     template <class Condition>
     bool eventually(Condition&& condition) {
-        for (int k = 0; k < 500; ++k) {
+        return whorl::eventually([&] {
             remote.begin_frame();
-            if (condition()) return true;
-            std::this_thread::sleep_for(std::chrono::milliseconds(10));
-        }
-        return false;
+            return condition();
+        });
     }
     bool acted() {
-        for (int k = 0; k < 500; ++k) {
-            remote.begin_frame();
-            if (remote.snapshot().scene == remote.scene() && remote.session().serial > 0) return true;
-            std::this_thread::sleep_for(std::chrono::milliseconds(10));
-        }
-        return false;
+        return eventually(
+            [&] { return remote.snapshot().scene == remote.scene() && remote.session().serial > 0; });
     }
 };
 
@@ -88,12 +81,8 @@ whorl::Setup three_lanes() {
 
 /// Frames until nothing is pending.
 bool settled(Steered& s) {
-    for (int k = 0; k < 500; ++k) {
-        s.remote.begin_frame();
-        if (s.remote.setup() == s.remote.session().setup && s.remote.session().serial > 0) return true;
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
-    return false;
+    return s.eventually(
+        [&] { return s.remote.setup() == s.remote.session().setup && s.remote.session().serial > 0; });
 }
 
 TEST(Remote, SetsOneLaneOrAll) {
@@ -187,11 +176,7 @@ TEST(Remote, ARestartKeepsTheSelectedLane) {
     ASSERT_EQ(s.remote.session().setup.lanes[s.remote.selected()].name, "c");
     const int run = s.remote.session().run;
     s.remote.restart();
-    for (int k = 0; k < 500 && s.remote.session().run == run; ++k) {
-        s.remote.begin_frame();
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
-    ASSERT_NE(s.remote.session().run, run);
+    ASSERT_TRUE(s.eventually([&] { return s.remote.session().run != run; }));
     EXPECT_EQ(s.remote.session().setup.lanes[s.remote.selected()].name, "c");
 }
 
