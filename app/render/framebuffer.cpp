@@ -7,13 +7,17 @@
 
 namespace whorl::app {
 
-Framebuffer::Framebuffer(int width, int height) : width_(width), height_(height) {
+void check_drawable(int width, int height) {
     GLint limit = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
     if (width < 1 || height < 1 || width > limit || height > limit) {
         throw std::runtime_error("cannot draw a picture of " + std::to_string(width) + " × " +
                                  std::to_string(height) + " pixels: the limit is " + std::to_string(limit));
     }
+}
+
+Framebuffer::Framebuffer(int width, int height) : width_(width), height_(height) {
+    check_drawable(width, height);
     GLint bound_texture = 0;
     GLint bound_framebuffer = 0;
     glGetIntegerv(GL_TEXTURE_BINDING_2D, &bound_texture);

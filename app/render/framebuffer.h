@@ -6,10 +6,13 @@
 
 namespace whorl::app {
 
+/// @throws std::runtime_error if a size is not positive or beyond the driver's limit
+void check_drawable(int width, int height);
+
 /// RGBA8 colour target of `width × height` pixels.
 class Framebuffer {
   public:
-    /// @throws std::runtime_error if the size is not positive or beyond the driver's limit.
+    /// @throws std::runtime_error as check_drawable
     Framebuffer(int width, int height);
 
     int width() const { return width_; }

@@ -53,6 +53,9 @@ class FramebufferGuard {
     GLint read_ = 0;
 };
 
+/// Pixels of a picture that are drawn at once, about: some milliseconds of a software rasteriser's.
+constexpr int band_pixels = 400'000;
+
 glm::vec4 unpack(ImU32 colour) {
     const ImVec4 v = ImGui::ColorConvertU32ToFloat4(colour);
     return {v.x, v.y, v.z, v.w};
@@ -119,6 +122,73 @@ void draw_plot_of(ImDrawList& list, const Theme& theme, const SheetLayout::PlotP
                series, place.corner);
 }
 
+/// All on the sheet but the fields, into the current ImGui context's draw data.
+void draw_all_around(const Theme& theme, const SheetRequest& request, const SheetLayout& layout) {
+    ImGui::GetIO().DisplaySize = {static_cast<float>(layout.width), static_cast<float>(layout.height)};
+    ImGui::GetIO().DeltaTime = 1.0f / 60.0f;
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui::NewFrame();
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    add_paragraph(list, *theme.title, {layout.left, layout.title_y}, layout.text_width, theme.palette.text,
+                  request.title);
+    for (const SheetLayout::LabelLine& line : layout.labels) {
+        add_text(list, *theme.body, line.at, line.first ? theme.palette.text : theme.palette.text_dim,
+                 line.text);
+    }
+    for (const SheetLayout::Cell& place : layout.cells) draw_around(list, theme, place);
+    draw_colour_bar(list, theme, {*request.map, request.lo, request.hi, request.label}, layout.bar,
+                    layout.bar_width);
+    for (const SheetLayout::PlotPlace& place : layout.plots) draw_plot_of(list, theme, place);
+    add_paragraph(list, *theme.small, {layout.left, layout.caption_y}, layout.text_width,
+                  theme.palette.text_dim, request.caption);
+    ImGui::Render();
+}
+
+Framebuffer band_of(const SheetLayout& layout) {
+    check_drawable(layout.width, layout.height);
+    return {layout.width, std::clamp(band_pixels / layout.width, 1, layout.height)};
+}
+
+/// A picture that has been begun. Its layout points into its request.
+struct Work {
+    Work(SheetRequest wanted, const Theme& theme)
+        : request(std::move(wanted)),
+          layout(lay_out(request, theme)),
+          band(band_of(layout)),
+          fields(layout.cells.size()),
+          image{layout.width, layout.height, {}} {
+        image.rgba.reserve(std::size_t{4} * layout.width * layout.height);
+    }
+    Work(const Work&) = delete;
+    Work& operator=(const Work&) = delete;
+
+    /// How a cell's field lies in the band that begins at a row.
+    FieldDraw how(const Theme& theme, const SheetLayout::Cell& place, int row) const {
+        FieldDraw draw;
+        draw.rect = place.field;
+        draw.rect.y -= row;
+        draw.framebuffer_height = band.height();
+        draw.scale = theme.scale;
+        draw.lo = request.lo;
+        draw.hi = request.hi;
+        draw.crisp = request.crisp;
+        draw.cells = domain_of(*place.cell);
+        return draw;
+    }
+    bool in_band(const SheetLayout::Cell& place) const {
+        return place.cell->field != nullptr && place.field.y < rows + band.height() &&
+               place.field.y + place.field.height > rows;
+    }
+
+    SheetRequest request;
+    SheetLayout layout;
+    Framebuffer band;
+    std::vector<FieldTexture> fields;  ///< of the layout's cells, empty until they are drawn
+    float fastest = 0.0f;              ///< one length of arrows for all fields
+    int rows = 0;                      ///< that are done
+    Image image;
+};
+
 }  // namespace
 
 struct PictureRenderer::Parts {
@@ -128,42 +198,39 @@ struct PictureRenderer::Parts {
     bool loaded = false;
     FieldView view;
     Arrows arrows;
-    FieldTexture field;
     Solids solids;
+    std::optional<Work> work;
 
-    FieldDraw how(const SheetRequest& request, const SheetLayout& layout,
-                  const SheetLayout::Cell& place) const {
-        FieldDraw draw;
-        draw.rect = place.field;
-        draw.framebuffer_height = layout.height;
-        draw.scale = theme.scale;
-        draw.lo = request.lo;
-        draw.hi = request.hi;
-        draw.crisp = request.crisp;
-        draw.cells = domain_of(*place.cell);
-        return draw;
-    }
-
-    void draw_fields(const SheetRequest& request, const SheetLayout& layout) {
-        // One length of arrows for all fields.
-        float fastest = 0.0f;
-        for (const SheetLayout::Cell& place : layout.cells) {
+    void find_fastest() {
+        for (const SheetLayout::Cell& place : work->layout.cells) {
             const SheetCell& cell = *place.cell;
             if (cell.field == nullptr || cell.arrows == nullptr) continue;
-            fastest = std::max(
-                fastest, arrows.fastest(*cell.arrows, how(request, layout, place), {.solids = cell.solids}));
+            work->fastest = std::max(work->fastest, arrows.fastest(*cell.arrows, work->how(theme, place, 0),
+                                                                   {.solids = cell.solids}));
         }
-        for (const SheetLayout::Cell& place : layout.cells) {
+    }
+
+    void draw_fields() {
+        for (std::size_t k = 0; k < work->layout.cells.size(); ++k) {
+            const SheetLayout::Cell& place = work->layout.cells[k];
+            if (!work->in_band(place)) continue;
             const SheetCell& cell = *place.cell;
-            if (cell.field == nullptr) continue;
-            const FieldDraw draw = how(request, layout, place);
-            field.upload(*cell.field);
+            const FieldDraw draw = work->how(theme, place, work->rows);
+            if (work->fields[k].empty()) work->fields[k].upload(*cell.field);
             solids.upload(cell.solids, draw.cells.x, draw.cells.y);
-            view.draw(field, *request.map, draw);
-            solids.draw(*request.map, draw);
+            view.draw(work->fields[k], *work->request.map, draw);
+            solids.draw(*work->request.map, draw);
             if (cell.arrows == nullptr) continue;
-            arrows.draw(*cell.arrows, draw, {.full_speed = fastest, .solids = cell.solids});
+            arrows.draw(*cell.arrows, draw, {.full_speed = work->fastest, .solids = cell.solids});
         }
+    }
+
+    /// ImGui's part of the band.
+    void draw_around_fields() const {
+        ImDrawData& data = *ImGui::GetDrawData();
+        data.DisplayPos = {0.0f, static_cast<float>(work->rows)};
+        data.DisplaySize.y = static_cast<float>(work->band.height());
+        ImGui_ImplOpenGL3_RenderDrawData(&data);
     }
 
     void load(float scale, bool wants_light) {
@@ -197,42 +264,44 @@ PictureRenderer::~PictureRenderer() {
     ImGui::SetCurrentContext(before);
 }
 
-Image PictureRenderer::render(const SheetRequest& request) {
+void PictureRenderer::begin(SheetRequest request) {
     check(request);
     const CurrentContext current(parts_->imgui);
     const GlStateGuard state;
     const FramebufferGuard bound;
     parts_->load(request.scale, request.light);
-    const Theme& theme = parts_->theme;
-    const SheetLayout layout = lay_out(request, theme);
-    const Framebuffer target(layout.width, layout.height);
+    parts_->work.emplace(std::move(request), parts_->theme);
+    draw_all_around(parts_->theme, parts_->work->request, parts_->work->layout);
+    parts_->find_fastest();
+}
 
-    ImGui::GetIO().DisplaySize = {static_cast<float>(layout.width), static_cast<float>(layout.height)};
-    ImGui::GetIO().DeltaTime = 1.0f / 60.0f;
-    ImGui_ImplOpenGL3_NewFrame();
-    ImGui::NewFrame();
-    ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    add_paragraph(list, *theme.title, {layout.left, layout.title_y}, layout.text_width, theme.palette.text,
-                  request.title);
-    for (const SheetLayout::LabelLine& line : layout.labels) {
-        add_text(list, *theme.body, line.at, line.first ? theme.palette.text : theme.palette.text_dim,
-                 line.text);
-    }
-    for (const SheetLayout::Cell& place : layout.cells) draw_around(list, theme, place);
-    draw_colour_bar(list, theme, {*request.map, request.lo, request.hi, request.label}, layout.bar,
-                    layout.bar_width);
-    for (const SheetLayout::PlotPlace& place : layout.plots) draw_plot_of(list, theme, place);
-    add_paragraph(list, *theme.small, {layout.left, layout.caption_y}, layout.text_width,
-                  theme.palette.text_dim, request.caption);
-    ImGui::Render();
-
-    target.bind();
-    const glm::vec4 background = unpack(theme.palette.background);
+std::optional<Image> PictureRenderer::draw_band() {
+    const CurrentContext current(parts_->imgui);
+    const GlStateGuard state;
+    const FramebufferGuard bound;
+    Work& work = *parts_->work;
+    work.band.bind();
+    const glm::vec4 background = unpack(parts_->theme.palette.background);
     glClearColor(background.r, background.g, background.b, 1.0f);
     glClear(GL_COLOR_BUFFER_BIT);
-    parts_->draw_fields(request, layout);
-    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-    return target.read();
+    parts_->draw_fields();
+    parts_->draw_around_fields();
+    const Image band = work.band.read();
+    const int rows = std::min(band.height, work.layout.height - work.rows);
+    work.image.rgba.insert(work.image.rgba.end(), band.rgba.begin(),
+                           band.rgba.begin() + std::ptrdiff_t{4} * rows * band.width);
+    work.rows += rows;
+    if (work.rows < work.layout.height) return std::nullopt;
+    Image image = std::move(work.image);
+    parts_->work.reset();
+    return image;
+}
+
+Image PictureRenderer::render(SheetRequest request) {
+    begin(std::move(request));
+    for (;;) {
+        if (std::optional<Image> image = draw_band()) return *std::move(image);
+    }
 }
 
 Image render_picture(const SheetRequest& request) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "app/render/sheet.h"
 #include "core/io/png.h"
@@ -22,7 +23,16 @@ class PictureRenderer {
     /// The same request gives the same bytes on the same machine.
     /// @throws std::runtime_error if the picture is larger than the driver draws.
     /// @throws std::invalid_argument if the request does not pass `check` or a mask has another size.
-    Image render(const SheetRequest& request);
+    Image render(SheetRequest request);
+
+    /// The same piece by piece, so that a window can go on in between: begins a picture, and gives up one
+    /// that has been begun. What the request points to must stay as it is until the last band is drawn.
+    /// @throws as render
+    void begin(SheetRequest request);
+    /// Draws the next band of what was begun, from the top; a few milliseconds' work.
+    /// @return the picture, with the last band
+    /// @throws std::invalid_argument as render
+    std::optional<Image> draw_band();
 
   private:
     struct Parts;

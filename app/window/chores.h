@@ -23,6 +23,7 @@ struct Chore {
 class Chores {
   public:
     void add(Chore chore) { waiting_.push_back(std::move(chore)); }
+    bool busy() const { return doing_.valid() || !waiting_.empty(); }
 
     /// Says what became of the last piece and begins the next; call once a frame.
     void end_frame(Notices& notices, Trace& trace) {

@@ -32,6 +32,13 @@ PictureStyle style_of(const PanelContext& context, std::vector<SheetPlot> plots)
     return style;
 }
 
+constexpr const char* no_picture = "No picture: ";
+
+void warn_no_picture(PanelContext& context, const std::exception& e) {
+    context.remote.notices().warn(std::string(no_picture) + e.what());
+    context.trace.event("picture-failed", e.what());
+}
+
 constexpr const char* not_complete =
     "the recording is full, so that it cannot bring this run back: reset to begin another one";
 
@@ -41,6 +48,7 @@ void Clerk::end_frame(PanelContext& context, double now) {
     take_wishes(context);
     if (const std::unique_ptr<Saved> saved = context.remote.take_saved())
         serve(context, std::move(*saved), now);
+    paint(context);
     if (std::exchange(context.files.save_plots, false)) save_plots(context);
     if (context.view.tour.take_ended() && !std::exchange(tour_noted_, true)) note_tour();
     open(context);
@@ -64,45 +72,58 @@ void Clerk::take_wishes(PanelContext& context) {
 void Clerk::serve(PanelContext& context, Saved saved, double now) {
     saving_ = false;
     const Wishes wishes = std::exchange(wishes_, {});
-    if (wishes.picture) take_picture(context, saved);
     Notices& notices = context.remote.notices();
     if (!saved.complete) {
+        if (wishes.picture) notices.warn(std::string("This picture carries no run: ") + not_complete);
         if (wishes.run) notices.warn(std::string("Run not saved: ") + not_complete);
         if (wishes.film) notices.warn(std::string("No animation: ") + not_complete);
-        return;
+    } else {
+        if (wishes.run) save_run(saved.recording);
+        if (wishes.film) {
+            film_.start(saved.recording, *wishes.film, now);
+            notices.info("Recording the animation; the window goes on");
+            context.trace.event("film-started", "");
+        }
     }
-    if (wishes.run) save_run(saved.recording);
-    if (wishes.film) {
-        film_.start(std::move(saved.recording), *wishes.film, now);
-        notices.info("Recording the animation; the window goes on");
-        context.trace.event("film-started", "");
+    if (wishes.picture) take_picture(context, std::move(saved));
+}
+
+void Clerk::take_picture(PanelContext& context, Saved saved) {
+    try {
+        auto painting = std::make_unique<Painting>();
+        painting->saved = std::move(saved);
+        const SessionSnapshot& moment = painting->saved.snapshot;
+        std::vector<SheetPlot> plots;
+        if (context.files.picture.plots) plots = plots_of(context.history, moment, context.measures);
+        painting->sheet = sheet_of({&moment, 1}, style_of(context, std::move(plots)), painting->fields);
+        paintings_.push_back(std::move(painting));
+    } catch (const std::exception& e) {
+        warn_no_picture(context, e);
     }
 }
 
-void Clerk::take_picture(PanelContext& context, Saved& saved) {
-    const std::string failed = "No picture: ";
+/// A band a frame.
+void Clerk::paint(PanelContext& context) {
+    if (paintings_.empty()) return;
     try {
+        Painting& now = *paintings_.front();
         if (!renderer_) renderer_ = std::make_unique<PictureRenderer>();
-        std::vector<SheetPlot> plots;
-        if (context.files.picture.plots) plots = plots_of(context.history, saved.snapshot, context.measures);
-        std::deque<LaneFields> fields;
-        const SheetRequest sheet =
-            sheet_of({&saved.snapshot, 1}, style_of(context, std::move(plots)), fields);
-        std::vector<TextChunk> text{{"Software", "Whorl " WHORL_VERSION}};
-        if (!saved.complete)
-            context.remote.notices().warn(std::string("This picture carries no run: ") + not_complete);
-        chores_.add({"picture", "Picture written to ", failed,
-                     [image = renderer_->render(sheet), text = std::move(text), recording = saved.recording,
-                      complete = saved.complete]() mutable {
+        if (!std::exchange(now.begun, true)) return renderer_->begin(std::move(now.sheet));
+        std::optional<Image> image = renderer_->draw_band();
+        if (!image) return;
+        chores_.add({"picture", "Picture written to ", no_picture,
+                     [image = *std::move(image), recording = std::move(now.saved.recording),
+                      complete = now.saved.complete] {
                          const auto path = numbered_path(".png");
+                         std::vector<TextChunk> text{{"Software", "Whorl " WHORL_VERSION}};
                          if (complete) text.emplace_back(run_chunk, write_run(recording));
                          write_png(path, image, text);
                          return path.string();
                      }});
     } catch (const std::exception& e) {
-        context.remote.notices().warn(failed + e.what());
-        context.trace.event("picture-failed", e.what());
+        warn_no_picture(context, e);
     }
+    paintings_.pop_front();
 }
 
 void Clerk::save_run(Recording recording) {

@@ -1,6 +1,7 @@
 // Serves what is asked of files: pictures, runs, tables, animations, and runs to open.
 #pragma once
 
+#include <deque>
 #include <future>
 #include <memory>
 #include <optional>
@@ -8,14 +9,15 @@
 
 #include "app/panels/panel.h"
 #include "app/render/picture.h"
+#include "app/views/lane_fields.h"
 #include "app/window/chores.h"
 #include "app/window/film_maker.h"
 #include "app/window/replay_check.h"
 
 namespace whorl::app {
 
-/// Draws on the window's thread, between two frames; reads and writes on others, so that no frame waits for a
-/// disk. What fails is a notice.
+/// Draws on the window's thread, between two frames and a band of a picture at a time; reads and writes on
+/// others, so that no frame waits for a disk. What fails is a notice.
 class Clerk {
   public:
     /// The window was opened with a run.
@@ -23,6 +25,8 @@ class Clerk {
     /// Serves the desk; call once a frame, after the window is drawn.
     /// @param now  seconds of the window's clock
     void end_frame(PanelContext& context, double now);
+    /// Whether something that was asked for is on its way to a file.
+    bool writes() const { return saving_ || !paintings_.empty() || chores_.busy(); }
 
   private:
     /// What the next saved moment is for.
@@ -31,6 +35,13 @@ class Clerk {
         bool run = false;
         std::optional<FilmOptions> film;
     };
+    /// A picture and what it is drawn from.
+    struct Painting {
+        Saved saved;
+        std::deque<LaneFields> fields;
+        SheetRequest sheet;
+        bool begun = false;
+    };
     struct Opened {
         std::string name;
         Recording recording;
@@ -38,7 +49,8 @@ class Clerk {
 
     void take_wishes(PanelContext& context);
     void serve(PanelContext& context, Saved saved, double now);
-    void take_picture(PanelContext& context, Saved& saved);
+    void take_picture(PanelContext& context, Saved saved);
+    void paint(PanelContext& context);
     void save_run(Recording recording);
     void save_plots(PanelContext& context);
     void note_tour();
@@ -48,8 +60,9 @@ class Clerk {
 
     Wishes wishes_;
     bool saving_ = false;
-    bool tour_noted_ = false;                    ///< once is enough, and so is one complaint
-    std::unique_ptr<PictureRenderer> renderer_;  ///< made for the first picture
+    bool tour_noted_ = false;                          ///< once is enough, and so is one complaint
+    std::unique_ptr<PictureRenderer> renderer_;        ///< made for the first picture
+    std::deque<std::unique_ptr<Painting>> paintings_;  ///< the first is being drawn
     Chores chores_;
     FilmMaker film_;
     std::future<Opened> opening_;

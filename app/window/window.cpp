@@ -9,6 +9,7 @@ int run_window(const WindowOptions& options) {
     Workbench workbench(options, window);
     while (!window.closing()) workbench.frame();
     window.hide();  // at once, though the solver may still be in the middle of a long step
+    while (workbench.writes()) workbench.frame();
     return 0;
 }
 

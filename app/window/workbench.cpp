@@ -107,7 +107,7 @@ void Workbench::frame() {
     take_run();
     for (const InputEvent& event : events) act_on(event);
     const std::uint64_t serial = remote_.session().serial;
-    if (std::exchange(serial_, serial) != serial || !events.empty() || remote_.playing())
+    if (std::exchange(serial_, serial) != serial || !events.empty() || remote_.playing() || clerk_.writes())
         stirred_ = clock_.time();
     brush_.end_frame(remote_);
     lessons_.set_open(view_.lessons, remote_);

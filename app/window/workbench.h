@@ -27,6 +27,8 @@ class Workbench {
 
     /// Waits for the next frame's time, and makes it.
     void frame();
+    /// Whether something that was asked for is on its way to a file: frames bring it there.
+    bool writes() const { return clerk_.writes(); }
 
   private:
     bool rests() const;

@@ -203,6 +203,38 @@ TEST_F(Sheets, AreTheSameBytesTwice) {
     EXPECT_EQ(first, renderer_.render(request)) << "no state is left of another picture";
 }
 
+TEST_F(Sheets, AreDrawnInBandsWithoutASeam) {
+    constexpr int n = 8;
+    Field rising(n, n, Site::Centre);
+    for (int j = 0; j < n; ++j) {
+        for (int i = 0; i < n; ++i) rising(i, j) = static_cast<Real>(j) / (n - 1);
+    }
+    SheetRequest request = request_of({{"", {{.field = &rising}}}});
+    request.cell_width = 1600;
+    request.title = "Rising";
+    const HeadlessUi ui(64, 64, 1.0f);
+    const PixelRect place = lay_out(request, ui.theme).cells[0].field;
+    renderer_.begin(request);
+    int bands = 1;
+    std::optional<Image> image;
+    while (!(image = renderer_.draw_band())) ++bands;
+    EXPECT_GE(bands, 5);
+    ASSERT_GE(image->height, place.y + place.height);
+    // From white to black in steps that 1600 rows leave no larger, beside an edge of one colour.
+    const int middle = place.x + place.width / 2;
+    const Rgb edge = pixel(*image, place.x - 1, place.y);
+    for (int y = place.y + 1; y < place.y + place.height; ++y) {
+        const int step = pixel(*image, middle, y).r - pixel(*image, middle, y - 1).r;
+        ASSERT_TRUE(std::abs(step) <= 1) << "row " << y << " of " << image->height;
+        ASSERT_EQ(pixel(*image, place.x - 1, y), edge) << "row " << y;
+    }
+    EXPECT_EQ(*image, renderer_.render(request));
+    // One that is given up leaves nothing behind.
+    renderer_.begin(request);
+    renderer_.draw_band();
+    EXPECT_EQ(*image, renderer_.render(request));
+}
+
 TEST_F(Sheets, ShareOneRangeAcrossResolutions) {
     Field coarse(4, 4, Site::Centre), fine(8, 8, Site::Centre);
     for (int j = 0; j < 8; ++j) {

@@ -33,8 +33,12 @@ until_ step ">" "$before"
 click tour-skip
 until_seen '"event":"tour-seen"'
 [ -f "$XDG_STATE_HOME/whorl/tour-seen" ] || fail "the tour is not remembered"
-close_window
 say "the first start shows a tour, over a run that plays"
+xdotool key F12
+close_window
+"$check_picture" whorl-0001.png >"$work/picture" || fail "the picture is lost"
+rm whorl-0001.png
+say "a picture is finished though the window is closed"
 
 # ---- the second
 open_empty
