@@ -172,6 +172,7 @@ struct Work {
         draw.lo = request.lo;
         draw.hi = request.hi;
         draw.crisp = request.crisp;
+        draw.window = request.window;
         draw.cells = domain_of(*place.cell);
         return draw;
     }

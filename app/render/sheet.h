@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/render/colour_map.h"
+#include "app/render/view_window.h"
 #include "core/grid/field.h"
 
 namespace whorl::app {
@@ -61,6 +62,7 @@ struct SheetRequest {
     std::string title = {};     ///< wrapped if it is long
     std::string label = {};     ///< quantity and unit, at the colour bar
     std::string caption = {};   ///< schemes, step, time …; lines are wrapped
+    ViewWindow window{};        ///< part of every domain that is shown
     bool crisp = false;         ///< squares of one value each
     bool light = false;         ///< dark on white, for paper
     float scale = 1.0f;         ///< pixels to a point, up to the largest: everything grows with it

@@ -30,6 +30,16 @@ std::string caption_of(std::span<const SessionSnapshot> rows) {
     return rows.size() == 1 ? text + " · " + moment(s) : text;
 }
 
+/// Which part of the domain is shown, length units.
+std::string part_of(const Grid& grid, const ViewWindow& window) {
+    const auto span = [](const char* axis, float low, float high, double length) {
+        return axis + (" " + figure(static_cast<double>(low) * length)) + " to " +
+               figure(static_cast<double>(high) * length);
+    };
+    return span("x", window.low.x, window.high.x, grid.width()) + ", " +
+           span("y", window.low.y, window.high.y, grid.height());
+}
+
 SheetCell cell_of(const SessionSnapshot& s, std::size_t k, const LaneNames& names, const LaneFields& fields,
                   bool arrows) {
     const Snapshot& lane = s.lanes[k];
@@ -85,6 +95,9 @@ SheetRequest sheet_of(std::span<const SessionSnapshot> rows, PictureStyle style,
     sheet.title = rows.front().setup.scene.title;
     sheet.label = bar_label(*style.view) + sheet.label;
     sheet.caption = caption_of(rows);
+    sheet.window = style.window;
+    if (!style.window.whole())
+        sheet.caption += "\n" + part_of(rows.front().lanes.front().grid, style.window);
     sheet.crisp = style.crisp || style.view->of_limiters;
     sheet.light = style.light;
     sheet.scale = style.scale;

@@ -16,6 +16,7 @@ struct PictureStyle {
     std::optional<std::size_t> alone{};  ///< this lane only
     const ColourMap* map = nullptr;      ///< null takes the view's own
     std::optional<Range> range{};        ///< nothing takes what all fields span
+    ViewWindow window{};                 ///< part of the domain that is shown
     bool crisp = false;
     bool light = false;
     bool arrows = false;

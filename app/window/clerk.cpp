@@ -24,6 +24,7 @@ PictureStyle style_of(const PanelContext& context, std::vector<SheetPlot> plots)
     if (view.compare == Compare::One) style.alone = context.remote.selected();
     style.map = &view.map();
     if (view.range.held()) style.range = view.range.ends();
+    style.window = view.window;
     style.crisp = view.crisp;
     style.light = context.files.picture.light;
     style.arrows = view.arrows;
