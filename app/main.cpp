@@ -5,7 +5,8 @@
 #include "app/cli/exit_code.h"
 #include "app/cli/headless.h"
 #include "app/cli/verbs.h"
-#include "app/scenes/presets.h"
+#include "app/lessons/lesson.h"
+#include "app/scenes/files.h"
 #include "app/window/no_opengl.h"
 #include "app/window/window.h"
 #include "core/scene/error.h"
@@ -16,8 +17,14 @@ using namespace whorl::app;
 
 int open_window(const WindowArguments& a) {
     WindowOptions options;
-    options.recording = recording_for(a.scene, a.lanes, a.set);
-    options.name = a.scene;
+    if (names_file(a.scene) && is_lesson(run_text(a.scene))) {
+        find_lesson(a.scene);  // says what is wrong with it before a window opens
+        options.lesson = a.scene;
+        options.recording = recording_for(options.name, a.lanes, a.set);
+    } else {
+        options.recording = recording_for(a.scene, a.lanes, a.set);
+        options.name = a.scene;
+    }
     options.threads = a.threads;
     options.content_scale = a.content_scale;
     options.tour = a.tour;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* about =
     "Whorl shows what a fluid solver does to its smoke.\n"
-    "Without a verb it opens the window on a preset, an experiment or a scene file.";
+    "Without a verb it opens the window on a preset, an experiment or a file.";
 
 constexpr const char* examples =
     "\nExamples:\n"
@@ -163,7 +163,8 @@ Arguments parse_arguments(int argc, char** argv) {
     app.set_version_flag("--version", "whorl " WHORL_VERSION);
 
     WindowArguments window;
-    app.add_option("scene", window.scene, scene_help)->type_name(scene_type);
+    app.add_option("scene", window.scene, std::string(scene_help) + "; or a lesson's file")
+        ->type_name(scene_type);
     add_set(app, window.set);
     add_lanes(app, window.lanes);
     add_threads(app, window.threads);

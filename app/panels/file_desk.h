@@ -1,11 +1,14 @@
 // What a person asks of files, and what is known of those in the making.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace whorl::app {
+
+struct Lesson;
 
 /// How a picture is made.
 struct PictureOptions {
@@ -42,7 +45,8 @@ struct FileDesk {
     bool save_plots = false;
     bool cancel_film = false;
     std::optional<FilmOptions> make_film;
-    std::optional<std::string> open;  ///< a name as find_run takes it
+    std::optional<std::string> open;       ///< a name as find_run takes it, or the path of a lesson
+    std::shared_ptr<const Lesson> lesson;  ///< one that has been opened, until its panel has it
     /// What became of the last name to open: empty if it was opened, else why not.
     std::optional<std::string> open_outcome;
 

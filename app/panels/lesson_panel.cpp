@@ -102,6 +102,7 @@ void draw_list(PanelContext& context, LessonWalk& walk) {
     ImGui::BeginChild("lesson-list");
     int number = 0;
     for (const Lesson& lesson : lessons()) draw_entry(context, walk, lesson, ++number);
+    if (walk.own() != nullptr) draw_entry(context, walk, *walk.own(), ++number);
     ImGui::EndChild();
 }
 

@@ -47,6 +47,11 @@ void LessonWalk::begin(const Lesson& lesson, Remote& remote, const ViewState& vi
     enter(0, remote, view);
 }
 
+void LessonWalk::begin_own(std::shared_ptr<const Lesson> lesson, Remote& remote, const ViewState& view) {
+    own_ = std::move(lesson);
+    begin(*own_, remote, view);
+}
+
 void LessonWalk::next(Remote& remote, const ViewState& view) {
     if (lesson_ != nullptr && !last()) enter(place_ + 1, remote, view);
 }

@@ -1,6 +1,7 @@
 // A student's way through the lessons: which one, which step, and its run and view on screen.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -36,6 +37,10 @@ class LessonWalk {
     /// Opens the panel on a lesson's first step.
     /// @param lesson  must live as long as it is read
     void begin(const Lesson& lesson, Remote& remote, const ViewState& view);
+    /// The same with a lesson from a file, which stays in the list until another one is opened.
+    void begin_own(std::shared_ptr<const Lesson> lesson, Remote& remote, const ViewState& view);
+    /// The last lesson from a file; null if there is none.
+    const Lesson* own() const { return own_.get(); }
     /// Back to the list of lessons; the run stays.
     void leave() { lesson_ = nullptr; }
     void next(Remote& remote, const ViewState& view);
@@ -55,6 +60,7 @@ class LessonWalk {
     bool begun(const Remote& remote) const;
 
     bool open_ = false;
+    std::shared_ptr<const Lesson> own_;
     const Lesson* lesson_ = nullptr;
     std::size_t place_ = 0;
     bool turned_ = false;

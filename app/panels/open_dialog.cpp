@@ -89,7 +89,7 @@ std::vector<RunEntry> runs_here() {
     for (; file != fs::directory_iterator() && entries.size() < most_entries; file.increment(ignored)) {
         const std::string kind = file->path().extension().string();
         if (!file->is_regular_file(ignored)) continue;
-        if (kind == ".toml") entries.push_back({file->path().filename().string(), "scene or run"});
+        if (kind == ".toml") entries.push_back({file->path().filename().string(), "scene, run or lesson"});
         if (kind == ".png") entries.push_back({file->path().filename().string(), "picture"});
     }
     std::sort(entries.begin() + static_cast<std::ptrdiff_t>(files_from), entries.end(),
@@ -109,7 +109,7 @@ void draw_open_dialog(PanelContext& context) {
     }
     if (!begin_dialog(context, "Open", 560)) return;
     const bool failed = has_failed(files);
-    text(theme.palette.text_dim, "A preset, a scene or run (.toml), or a picture of Whorl (.png)");
+    text(theme.palette.text_dim, "A preset; a scene, run or lesson (.toml); or a picture of Whorl (.png)");
     list(context);
     ImGui::SetNextItemWidth(-FLT_MIN);
     if (ImGui::IsWindowAppearing() || failed) ImGui::SetKeyboardFocusHere();

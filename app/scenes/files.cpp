@@ -10,6 +10,11 @@ bool names_file(std::string_view name) {
     return name.ends_with(".toml") || name.ends_with(".png") || name.find('/') != std::string_view::npos;
 }
 
+bool is_lesson(std::string_view text) {
+    constexpr std::string_view step = "[[step";
+    return text.starts_with(step) || text.find("\n" + std::string(step)) != std::string_view::npos;
+}
+
 std::string run_text(std::string_view path) {
     if (!path.ends_with(".png")) return read_run_text(path);
     std::vector<TextChunk> chunks;

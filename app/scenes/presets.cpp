@@ -27,7 +27,13 @@ Scene Preset::scene() const {
 }
 
 Recording find_run(std::string_view name) {
-    if (names_file(name)) return parse_run(run_text(name), name);
+    if (names_file(name)) {
+        const std::string text = run_text(name);
+        if (is_lesson(text))
+            throw InputError(std::string(name) + ": this is a lesson; `whorl lesson " + std::string(name) +
+                             "` reads it, and `whorl " + std::string(name) + "` shows it");
+        return parse_run(text, name);
+    }
     std::vector<std::string_view> keys;
     for (const Preset& preset : presets()) {
         if (preset.key == name) return parse_run(preset.text, preset.key);

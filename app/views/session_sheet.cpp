@@ -96,8 +96,7 @@ SheetRequest sheet_of(std::span<const SessionSnapshot> rows, PictureStyle style,
     sheet.label = bar_label(*style.view) + sheet.label;
     sheet.caption = caption_of(rows);
     sheet.window = style.window;
-    if (!style.window.whole())
-        sheet.caption += "\n" + part_of(rows.front().lanes.front().grid, style.window);
+    if (!style.window.whole()) sheet.caption += "\n" + part_of(rows.front().lanes.front().grid, style.window);
     sheet.crisp = style.crisp || style.view->of_limiters;
     sheet.light = style.light;
     sheet.scale = style.scale;

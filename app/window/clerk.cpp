@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "app/lessons/lesson.h"
 #include "app/panels/measure_tabs.h"
 #include "app/scenes/files.h"
 #include "app/scenes/presets.h"
@@ -158,16 +159,7 @@ void Clerk::open(PanelContext& context) {
     Notices& notices = context.remote.notices();
     if (opening_.valid() && opening_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
         try {
-            Opened opened = opening_.get();
-            const long step = opened.recording.step;
-            check_.expect(opened.recording, opened.name, context.remote.session().run + 1);
-            context.remote.load(opened.name, std::move(opened.recording));
-            if (names_file(opened.name)) {
-                context.remote.play(false);
-                notices.info("Opened " + opened.name + (step > 0 ? " at step " + std::to_string(step) : ""));
-            }
-            context.files.open_outcome = "";
-            context.trace.event("opened", opened.name);
+            take_opened(context, opening_.get());
         } catch (const std::exception& e) {
             context.files.open_outcome = e.what();
             // The dialog that asked for it says why.
@@ -176,10 +168,29 @@ void Clerk::open(PanelContext& context) {
         }
     }
     if (!context.files.open || opening_.valid()) return;
-    opening_ = std::async(std::launch::async, [name = *context.files.open] {
-        return Opened{name, find_run(name)};
+    opening_ = std::async(std::launch::async, [name = *context.files.open]() -> Opened {
+        if (names_file(name) && is_lesson(run_text(name)))
+            return {name, std::make_shared<const Lesson>(find_lesson(name))};
+        return {name, find_run(name)};
     });
     context.files.open.reset();
+}
+
+void Clerk::take_opened(PanelContext& context, Opened opened) {
+    if (auto* recording = std::get_if<Recording>(&opened.content)) {
+        const long step = recording->step;
+        check_.expect(*recording, opened.name, context.remote.session().run + 1);
+        context.remote.load(opened.name, std::move(*recording));
+        if (names_file(opened.name)) {
+            context.remote.play(false);
+            context.remote.notices().info("Opened " + opened.name +
+                                          (step > 0 ? " at step " + std::to_string(step) : ""));
+        }
+    } else {
+        context.files.lesson = std::get<1>(opened.content);
+    }
+    context.files.open_outcome = "";
+    context.trace.event("opened", opened.name);
 }
 
 void Clerk::follow_film(PanelContext& context, double now) {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <variant>
 
 #include "app/panels/panel.h"
 #include "app/render/picture.h"
@@ -44,7 +45,7 @@ class Clerk {
     };
     struct Opened {
         std::string name;
-        Recording recording;
+        std::variant<Recording, std::shared_ptr<const Lesson>> content;
     };
 
     void take_wishes(PanelContext& context);
@@ -55,6 +56,7 @@ class Clerk {
     void save_plots(PanelContext& context);
     void note_tour();
     void open(PanelContext& context);
+    void take_opened(PanelContext& context, Opened opened);
     void follow_film(PanelContext& context, double now);
     void check_replay(PanelContext& context);
 

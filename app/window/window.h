@@ -16,6 +16,7 @@ struct WindowOptions {
     int width = 0, height = 0;   ///< of the window, pixels; 0 takes what suits the screen
     double content_scale = 0;    ///< framebuffer pixels to a point; 0 asks the screen
     std::optional<bool> tour;    ///< whether to begin with it; else if it has not been taken yet
+    std::string lesson;          ///< file that is opened over it; empty for none
     std::string trace;           ///< file that gets a line for what happens, see Trace; empty for none
 };
 

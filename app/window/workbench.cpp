@@ -80,6 +80,7 @@ Workbench::Workbench(const WindowOptions& options, GlfwWindow& window)
     : window_(window), trace_(options.trace), player_(make_player(options)), remote_(*player_, notices_) {
     remote_.set_loaded(options.name);
     clerk_.opened(options.recording, options.name);
+    if (!options.lesson.empty()) files_.open = options.lesson;
     player_->play(options.recording.step == 0);
     if (options.tour.value_or(!tour_seen())) view_.tour.begin();
 }
@@ -115,7 +116,15 @@ void Workbench::frame() {
     window_.end_frame();
     PanelContext seen = context();
     clerk_.end_frame(seen, clock_.time());
+    if (files_.lesson) read_lesson();
     trace_.frame(frames_, remote_.steps_per_second(), remote_.playing(), remote_.session(), clock_.time());
+}
+
+/// Opens the panel on a lesson that has come from a file.
+void Workbench::read_lesson() {
+    lessons_.begin_own(std::move(files_.lesson), remote_, view_);
+    view_.lessons = true;
+    view_.peeks_at_measures = false;
 }
 
 /// Takes the newest state, its measures, and what is shown of it with its range.

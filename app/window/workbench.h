@@ -38,6 +38,7 @@ class Workbench {
     void travel(int key);
     void type(const InputEvent& event);
     void take_run();
+    void read_lesson();
     PanelContext context();
     void draw();
 

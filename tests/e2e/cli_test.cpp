@@ -127,6 +127,10 @@ TEST_F(CommandLine, RefusesBadInputInOneLine) {
     expect_refused(whorl("experiment rotaton"), "did you mean rotation");
     expect_refused(whorl("experiment rotation --at 3,x"), "3,x");
     expect_refused(whorl("run missing.toml"), "missing.toml");
+    write("lesson.toml", "whorl = 1\ntitle = \"x\"\n[[step]]\n");
+    expect_refused(whorl("run lesson.toml"), "lesson.toml: this is a lesson; `whorl lesson lesson.toml`");
+    expect_refused(whorl("lesson.toml"), "lesson.toml:3:1: ");
+    std::filesystem::remove(folder / "lesson.toml");
     expect_refused(whorl("run plume --steps 1 --picture p.jpg"), "PNG");
     expect_refused(whorl("run plume --steps 1 --view speed"), "--picture");
     expect_refused(whorl("experiment rotation --at 3 --steps 5"), "--at and --steps");

@@ -70,9 +70,9 @@ click interpolation=fritsch-carlson
 until_ interpolation "==" fritsch-carlson
 say "another interpolation"
 click interpolation
-for key in Down Return; do xdotool sleep 0.3 keydown $key sleep 0.2 keyup $key; done
-until_ interpolation "==" fritsch-carlson-square
-say "the next one, by keys"
+for key in Down Return; do xdotool sleep 0.3 keydown $key sleep 0.4 keyup $key; done # held, so that slow frames see it
+until_ interpolation "!=" fritsch-carlson
+say "one further down, by keys"
 click advector
 click advector=aslam
 until_ advector "==" aslam
@@ -170,6 +170,31 @@ until_ nx "==" 128
 xdotool key space
 until_ total_density ">" 0.5
 say "the first preset"
+
+# ---- a lesson of one's own
+cat >own.toml <<'TOML'
+whorl = 1
+title = "Mine"
+summary = "What I teach."
+[[step]]
+title = "Here"
+text = "A line."
+scene = "rotation"
+run_to = 3
+TOML
+xdotool mousemove "$(field_x 50)" "$(field_y 5)" key ctrl+o
+click open-path
+xdotool type --delay 50 own.toml
+xdotool key Return
+until_seen '"event":"opened","text":"own.toml"'
+until_ step "==" 3
+until_ nx "==" 40
+click lesson-all
+click lesson=own.toml
+until_ step "==" 3
+click lesson-close
+until_ nx "==" 128
+say "a lesson from a file, and back to the run"
 
 # ---- a picture of one lane
 xdotool key F12
