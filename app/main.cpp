@@ -9,11 +9,22 @@
 #include "app/scenes/files.h"
 #include "app/window/no_opengl.h"
 #include "app/window/window.h"
+#include "core/io/whole_file.h"
 #include "core/scene/error.h"
 
 namespace {
 
 using namespace whorl::app;
+
+/// @throws InputError for what is no size, or none that a window has
+void read_size(const std::string& text, int& width, int& height) {
+    constexpr int least_width = 320, least_height = 240, most = 8192;
+    char beyond = 0;
+    if (std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &beyond) != 2 || width < least_width ||
+        height < least_height || width > most || height > most)
+        throw whorl::InputError("--size " + text +
+                                ": give WIDTHxHEIGHT from 320x240 to 8192x8192, such as 1600x1000");
+}
 
 int open_window(const WindowArguments& a) {
     WindowOptions options;
@@ -29,9 +40,7 @@ int open_window(const WindowArguments& a) {
     options.content_scale = a.content_scale;
     options.tour = a.tour;
     options.trace = a.trace;
-    if (!a.size.empty() && std::sscanf(a.size.c_str(), "%dx%d", &options.width, &options.height) != 2) {
-        throw whorl::InputError("--size " + a.size + ": give WIDTHxHEIGHT, such as 1600x1000");
-    }
+    if (!a.size.empty()) read_size(a.size, options.width, options.height);
     return run_window(options);
 }
 
@@ -64,8 +73,12 @@ int act(const Arguments& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    whorl::take_unfinished_files_along();
     try {
-        return act(parse_arguments(argc, argv));
+        const int code = act(parse_arguments(argc, argv));
+        if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+        std::cerr << "whorl: standard output takes no more\n";
+        return exit_failed;
     } catch (const whorl::InputError& e) {
         std::cerr << "whorl: " << e.what() << '\n';
         return exit_bad_input;

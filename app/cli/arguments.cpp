@@ -23,7 +23,7 @@ constexpr const char* examples =
     "  whorl run plume --steps 480 --picture plume.png --set advector=aslam\n"
     "  whorl experiment rotation --set advector=aslam --at 600,1200\n"
     "  whorl compare plume --lanes thesis-five --out sheet.png\n"
-    "  whorl explain plume --at 200 --cell 20,12 --set interpolation=fritsch-carlson\n"
+    "  whorl explain plume --at 200 --cell 60,30 --set interpolation=fritsch-carlson\n"
     "  whorl converge rotation --set advector=aslam --resolutions 40,80,160\n"
     "  whorl lesson smear\n"
     "  whorl list parameters";
@@ -43,6 +43,12 @@ CLI::Validator within(Number least, Number most) {
     return CLI::Validator(check, range);
 }
 
+/// A name that is none would silently leave the option out.
+CLI::Validator named() {
+    return CLI::Validator([](const std::string& text) { return text.empty() ? "it lacks its value" : ""; },
+                          "");
+}
+
 void add_set(CLI::App& verb, std::vector<std::string>& set) {
     verb.add_option("--set", set, "set a parameter, key=value; `whorl list parameters` shows them")
         ->type_name("KEY=VALUE")
@@ -57,10 +63,11 @@ void add_threads(CLI::App& verb, int& threads) {
 }
 
 void add_draw(CLI::App& verb, DrawArguments& draw) {
-    verb.add_option("--view", draw.view, "what the picture shows")->type_name("VIEW");
-    verb.add_option("--map", draw.map, "colours of the picture")->type_name("MAP");
+    verb.add_option("--view", draw.view, "what the picture shows")->type_name("VIEW")->check(named());
+    verb.add_option("--map", draw.map, "colours of the picture")->type_name("MAP")->check(named());
     verb.add_option("--range", draw.range, "values at the ends of the colours; else all that occur")
-        ->type_name("LO,HI");
+        ->type_name("LO,HI")
+        ->check(named());
     verb.add_option("--width", draw.width, "pixels across a field")->type_name("N")->check(within(100, 8000));
     verb.add_option("--scale", draw.scale, "size of letters and lines; else what suits the width")
         ->type_name("S")
@@ -71,16 +78,20 @@ void add_draw(CLI::App& verb, DrawArguments& draw) {
 }
 
 void add_outputs(CLI::App& verb, RunArguments& run) {
-    verb.add_option("--csv", run.csv, "write a row a step; - is standard output")->type_name("FILE|-");
+    verb.add_option("--csv", run.csv, "write a row a step; - is standard output")
+        ->type_name("FILE|-")
+        ->check(named());
     verb.add_option("--picture", run.picture,
                     "draw the last step as a PNG, which `whorl FILE.png` opens again")
-        ->type_name("FILE.png");
+        ->type_name("FILE.png")
+        ->check(named());
     add_draw(verb, run.draw);
 }
 
 void add_lanes(CLI::App& verb, std::string& lanes) {
     verb.add_option("--lanes", lanes, "run these side by side; `whorl list comparisons` shows them")
-        ->type_name("KEY|FILE");
+        ->type_name("KEY|FILE")
+        ->check(named());
 }
 
 constexpr const char* scene_help =
@@ -114,13 +125,33 @@ const CLI::App& verb_of(const CLI::App& app) {
     return asked == verbs.end() ? app : **asked;
 }
 
+std::string stands_before(const std::string& option, const CLI::App& verb) {
+    return option + " stands before " + verb.get_name() + "; give what " + verb.get_name() +
+           " takes behind it";
+}
+
+/// A word that nothing takes, most likely because the one before it is meant to be a verb.
+std::string too_many(const CLI::App& app, const std::string& word) {
+    const CLI::App& verb = verb_of(app);
+    std::vector<std::string> names;
+    for (const CLI::App* v : app.get_subcommands({})) names.push_back(v->get_name());
+    const std::vector<std::string_view> verbs(names.begin(), names.end());
+    const auto first = app.get_option("scene")->results();
+    if (&verb == &app && !first.empty()) {
+        const std::string meant = suggestion(first.front(), verbs);
+        if (meant.starts_with("did you mean")) return "unknown verb \"" + first.front() + "\"; " + meant;
+    }
+    return "\"" + word + "\" is one argument too many";
+}
+
 /// The first argument that nothing takes, in one line.
 std::string unexpected(const CLI::App& app) {
     const std::vector<std::string> left = app.remaining(true);
     const auto option =
         std::find_if(left.begin(), left.end(), [](const std::string& a) { return a[0] == '-'; });
-    if (option == left.end()) return "\"" + left.front() + "\" is one argument too many";
+    if (option == left.end()) return too_many(app, left.front());
     const CLI::App& verb = verb_of(app);
+    if (&verb != &app && app.remaining().size() > 0) return stands_before(*option, verb);
     std::vector<std::string> names;
     for (const CLI::Option* o : verb.get_options(
              [](const CLI::Option* o) { return !o->get_positional() && !o->get_group().empty(); })) {
@@ -137,8 +168,7 @@ std::optional<std::string> misplaced(const CLI::App& app) {
     if (&verb == &app) return {};
     const auto given = app.get_options([](const CLI::Option* o) { return o->count() > 0; });
     if (given.empty()) return {};
-    return given.front()->get_name() + " stands before " + verb.get_name() + "; give what " +
-           verb.get_name() + " takes behind it";
+    return stands_before(given.front()->get_name(), verb);
 }
 
 /// What the library says of an option with too few values or too many, which begins with its name.
@@ -188,10 +218,12 @@ Arguments parse_arguments(int argc, char** argv) {
     add_lanes(*run_verb, run.lanes);
     add_outputs(*run_verb, run);
     run_verb->add_option("--timing", run.timing, "write the median ms of each phase; - is standard output")
-        ->type_name("FILE|-");
-    run_verb->add_option("--save", run.save, "write the run itself")->type_name("FILE.toml");
+        ->type_name("FILE|-")
+        ->check(named());
+    run_verb->add_option("--save", run.save, "write the run itself")->type_name("FILE.toml")->check(named());
     run_verb->add_option("--animate", run.animate, "make a film; MP4 and GIF need ffmpeg")
-        ->type_name("FILE.mp4|FILE.gif|%04d.png");
+        ->type_name("FILE.mp4|FILE.gif|%04d.png")
+        ->check(named());
     run_verb->add_option("--every", run.every, "steps between two frames of the film")
         ->type_name("N")
         ->check(within(1, 100000));
@@ -211,9 +243,10 @@ Arguments parse_arguments(int argc, char** argv) {
     add_lanes(*compare_verb, compare.lanes);
     compare_verb->add_option("--at", compare_at, "steps to show; 120,240,360,480,600 if not given")
         ->type_name("STEP,STEP...");
-    compare_verb->add_option("--out", compare.out, "the sheet")->type_name("FILE.png");
+    compare_verb->add_option("--out", compare.out, "the sheet")->type_name("FILE.png")->check(named());
     compare_verb->add_option("--csv", compare.csv, "write a row a step and lane; - is standard output")
-        ->type_name("FILE|-");
+        ->type_name("FILE|-")
+        ->check(named());
     add_set(*compare_verb, compare.set);
     add_draw(*compare_verb, compare.draw);
     add_threads(*compare_verb, compare.threads);
@@ -271,10 +304,12 @@ Arguments parse_arguments(int argc, char** argv) {
     CLI::App* lesson_verb = app.add_subcommand(
         "lesson", "what there is to learn: a list, a lesson's text, or a check of its claims");
     lesson_verb->add_option("lesson", lesson.lesson, "a lesson, or a file of one; else all")
-        ->type_name("KEY|FILE");
+        ->type_name("KEY|FILE")
+        ->check(named());
     lesson_verb->add_flag("--check", lesson.check, "run the steps and check what they claim");
     lesson_verb->add_option("--pictures", lesson.pictures, "draw each step's moment into this folder")
-        ->type_name("FOLDER");
+        ->type_name("FOLDER")
+        ->check(named());
     add_threads(*lesson_verb, lesson.threads);
 
     try {

@@ -28,6 +28,7 @@ struct DrawArguments {
     float scale = 0;  ///< 0 takes what suits the width
     bool light = false, crisp = false;
     bool difference = false;  ///< of each lane from the reference lane
+    bool operator==(const DrawArguments&) const = default;
 };
 
 /// `whorl run PRESET|FILE`, and `whorl experiment NAME`

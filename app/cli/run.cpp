@@ -46,11 +46,28 @@ class Filming {
     std::optional<Range> seen_;
 };
 
+/// Two files of one name: the later one would take the other's place.
+void check_different(std::initializer_list<std::pair<const char*, const std::string&>> files) {
+    for (const auto& [option, file] : files) {
+        for (const auto& [other, same] : files) {
+            if (&file != &same && !file.empty() && file == same)
+                throw InputError(std::string(option) + " and " + other + " name the same file, " + file);
+        }
+    }
+}
+
 void check(const RunArguments& a) {
     if (!a.picture.empty()) check_picture("--picture", a.picture);
-    if (a.picture.empty() && a.animate.empty() &&
-        (a.draw.view != "density" || !a.draw.map.empty() || a.draw.difference))
-        throw InputError("--view, --map and --difference are of the picture; give --picture FILE.png too");
+    if (a.picture.empty() && a.animate.empty() && !(a.draw == DrawArguments()))
+        throw InputError(
+            "--view, --map, --range, --width, --scale, --light, --crisp and --difference are of the picture; "
+            "give --picture FILE.png too");
+    if (!a.animate.empty()) check_film_name(a.animate);
+    check_different({{"--csv", a.csv},
+                     {"--timing", a.timing},
+                     {"--save", a.save},
+                     {"--picture", a.picture},
+                     {"--animate", a.animate}});
     if (!a.save.empty() && !a.save.ends_with(".toml"))
         throw InputError("--save = " + a.save + ": runs are TOML; give a name that ends in .toml");
     if (a.limiters && a.csv.empty())
@@ -147,7 +164,10 @@ int run_scene(const RunArguments& arguments) {
         take_shown(session, view(arguments.draw.view), last, pool, last);
         write_picture(arguments.picture, drawing->draw({&last, 1}), done);
     }
-    if (arguments.csv.empty() && arguments.timing.empty()) say_summary(arguments.scene, session);
+    for (const std::string& table : {arguments.csv, arguments.timing}) {
+        if (!table.empty() && table != "-") say_written("table", table);
+    }
+    if (arguments.csv != "-" && arguments.timing != "-") say_summary(arguments.scene, session);
     const bool same = check_digest(session, steps == recording.step ? recording.digest : 0, arguments.digest);
     return same ? 0 : exit_failed;
 }

@@ -8,6 +8,7 @@
 
 #include "app/film/ffmpeg.h"
 #include "core/io/whole_file.h"
+#include "core/scene/error.h"
 
 namespace whorl::app {
 namespace {
@@ -15,6 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int max_frames_per_second = 240;
+constexpr const char* film_names =
+    "a film is NAME.mp4, NAME.gif, or numbered pictures such as frames/%04d.png";
 
 /// `before%04dafter` taken apart.
 struct NumberedName {
@@ -57,15 +60,21 @@ class NumberedPictures : public FilmWriter {
     int count_ = 0;
 };
 
+/// The name's ending, in small letters.
+std::string kind_of(const fs::path& path) {
+    std::string kind = path.extension().string();
+    std::transform(kind.begin(), kind.end(), kind.begin(), [](unsigned char c) { return std::tolower(c); });
+    return kind;
+}
+
 std::unique_ptr<FilmWriter> writer_for(const fs::path& path, int frames_per_second) {
     if (frames_per_second < 1 || frames_per_second > max_frames_per_second)
         cannot_write(path, "a film has 1 to 240 frames per second");
     if (auto name = numbered_name(path)) return std::make_unique<NumberedPictures>(std::move(*name));
-    std::string kind = path.extension().string();
-    std::transform(kind.begin(), kind.end(), kind.begin(), [](unsigned char c) { return std::tolower(c); });
+    const std::string kind = kind_of(path);
     if (kind == ".mp4") return std::make_unique<Ffmpeg>(path, Ffmpeg::Format::Mp4, frames_per_second);
     if (kind == ".gif") return std::make_unique<Ffmpeg>(path, Ffmpeg::Format::Gif, frames_per_second);
-    cannot_write(path, "a film is NAME.mp4, NAME.gif, or numbered pictures such as frames/%04d.png");
+    cannot_write(path, film_names);
 }
 
 std::string size_of(int width, int height) {
@@ -73,6 +82,11 @@ std::string size_of(int width, int height) {
 }
 
 }  // namespace
+
+void check_film_name(const fs::path& path) {
+    if (!numbered_name(path) && kind_of(path) != ".mp4" && kind_of(path) != ".gif")
+        throw InputError("--animate = " + path.string() + ": " + film_names);
+}
 
 Film::Film(const fs::path& path, int frames_per_second)
     : path_(path), writer_(writer_for(path, frames_per_second)) {}

@@ -16,6 +16,9 @@ class FilmWriter {
     virtual void finish() = 0;
 };
 
+/// @throws InputError if no film has such a name
+void check_film_name(const std::filesystem::path& path);
+
 /// A film in the making. The name decides what is made: `NAME.mp4` and `NAME.gif` need ffmpeg; a name with
 /// one number in it, as `frames/%04d.png` (`%d`, or `%0Nd` with N from 1 to 9), makes pictures that count
 /// from 1 and need nothing. MP4 and GIF appear when the film is finished, and not at all otherwise. Numbered

@@ -143,7 +143,8 @@ Interval Extent::fitted() const {
 }
 
 Interval Extent::tight() const {
-    if (!(most_ > least_)) return fitted();
+    // Rounding alone is nothing to look at closely.
+    if (!(most_ - least_ > 1e-5f * std::max(std::abs(least_), std::abs(most_)))) return fitted();
     const double air = 0.08 * static_cast<double>(most_ - least_);
     return {static_cast<double>(least_) - air, static_cast<double>(most_) + air};
 }

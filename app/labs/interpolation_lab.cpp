@@ -231,8 +231,8 @@ using Reports = std::array<IntervalReport, schemes_count>;
 
 std::string signed_number(double value) {
     char line[32];
-    std::snprintf(line, sizeof line, "%.2f", value);
-    return value < 0 && line[0] == '-' ? "−" + std::string(line + 1) : line;
+    std::snprintf(line, sizeof line, "%.2f", std::round(100 * value) / 100 + 0.0);  // + 0.0: no "-0.00"
+    return line[0] == '-' ? "−" + std::string(line + 1) : line;
 }
 
 /// The region of Figure 3.6 with its two subsets.

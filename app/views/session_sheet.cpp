@@ -12,6 +12,30 @@ std::string moment(const SessionSnapshot& s) {
     return "step " + std::to_string(s.step) + " · t = " + figure(s.time);
 }
 
+/// The words that the descriptions of all lanes' schemes have in common.
+std::string in_common(const SessionSnapshot& s) {
+    constexpr std::string_view between = " · ";
+    const auto words = [&](const std::string& text) {
+        std::vector<std::string> all;
+        for (std::size_t from = 0; from != text.npos;) {
+            const std::size_t to = text.find(between, from);
+            all.push_back(text.substr(from, to - from));
+            from = to == text.npos ? to : to + between.size();
+        }
+        return all;
+    };
+    std::vector<std::string> common = words(describe(s.lanes.front().scene));
+    for (const Snapshot& lane : s.lanes) {
+        const std::vector<std::string> own = words(describe(lane.scene));
+        std::erase_if(common, [&](const std::string& word) {
+            return std::find(own.begin(), own.end(), word) == own.end();
+        });
+    }
+    std::string text;
+    for (const std::string& word : common) text += (text.empty() ? "" : std::string(between)) + word;
+    return text;
+}
+
 /// What the lanes have in common, and the moment if it is one.
 std::string caption_of(std::span<const SessionSnapshot> rows) {
     const SessionSnapshot& s = rows.front();
@@ -22,8 +46,11 @@ std::string caption_of(std::span<const SessionSnapshot> rows) {
                            [&](const Snapshot& other) { return of(other.scene) == of(lane.scene); });
     };
     std::string text;
-    if (agree([](const Scene& scene) { return std::pair(scene.scalars, scene.velocity); }))
+    if (agree([](const Scene& scene) { return std::pair(scene.scalars, scene.velocity); })) {
         text = describe(lane.scene) + "\n";
+    } else if (const std::string all = in_common(s); !all.empty()) {
+        text = "All: " + all + "\n";
+    }
     const Scene& scene = s.setup.scene;
     text += std::to_string(scene.grid().nx) + " × " + std::to_string(scene.grid().ny) +
             " · Δt = " + figure(scene.dt);

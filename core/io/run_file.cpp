@@ -87,8 +87,8 @@ void read_all_commands(const TomlReader& reader, const toml::table& table, std::
     }
     const toml::node* commands = table.get("commands");
     if (commands == nullptr) return;
+    const std::string value = reader.string(*commands, "commands");
     try {
-        const std::string value = reader.string(*commands, "commands");
         recording.commands = read_commands(text.empty() ? value : text, arrangements);
     } catch (const InputError& e) {
         reader.fail(commands->source(), e.what());

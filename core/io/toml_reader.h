@@ -25,7 +25,7 @@ class TomlReader {
         fail_at(name_, at.begin, reason);
     }
 
-    /// The node's value as `--set` would be given it.
+    /// The node's value as `--set` would be given it; of what cannot be given so, something that is refused.
     std::string text(const toml::node& node) const {
         if (const auto* value = node.as_string()) return value->get();
         if (const auto* value = node.as_boolean()) return value->get() ? "true" : "false";
@@ -36,7 +36,7 @@ class TomlReader {
             out << value->get();
             return out.str();
         }
-        fail(node.source(), "expected a number, a truth or a word");
+        return node.is_array() ? "[…]" : "…";
     }
 
     /// Lengths and the like, either sign, lie far within this: it is beyond any domain.

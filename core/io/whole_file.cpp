@@ -5,7 +5,9 @@
 
 #include <atomic>
 #include <cerrno>
+#include <csignal>
 #include <cstring>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 
@@ -30,6 +32,43 @@ std::string objection(const fs::path& path) {
     return {};
 }
 
+/// Names of unfinished files where a signal's handler may read them. A place is taken by one thread, then
+/// filled, then seen by the handler.
+struct Unfinished {
+    enum State { Free, Taken, Filled };
+    std::atomic<int> state{Free};
+    char name[4096];
+};
+Unfinished unfinished[64];
+static_assert(std::atomic<int>::is_always_lock_free);
+
+/// @return the place, or one past the last where none is free
+std::size_t note(const fs::path& aside) {
+    const std::string name = fs::absolute(aside).native();  // the program may be somewhere else by then
+    for (std::size_t k = 0; k < std::size(unfinished); ++k) {
+        Unfinished& place = unfinished[k];
+        int free = Unfinished::Free;
+        if (name.size() >= sizeof place.name) break;
+        if (!place.state.compare_exchange_strong(free, Unfinished::Taken)) continue;
+        std::strcpy(place.name, name.c_str());
+        place.state = Unfinished::Filled;
+        return k;
+    }
+    return std::size(unfinished);
+}
+
+void forget(std::size_t slot) {
+    if (slot < std::size(unfinished)) unfinished[slot].state = Unfinished::Free;
+}
+
+extern "C" void end_without_leavings(int signal) {
+    for (const Unfinished& file : unfinished) {
+        if (file.state == Unfinished::Filled) ::unlink(file.name);
+    }
+    ::signal(signal, SIG_DFL);
+    ::raise(signal);
+}
+
 std::string reason_of(int error) {
     return error == 0 ? "the disk gave no reason" : std::strerror(error);
 }
@@ -50,17 +89,21 @@ WholeFile::WholeFile(const fs::path& path) : path_(path) {
         descriptor = ::open(aside_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     } while (descriptor < 0 && errno == EEXIST);
     if (descriptor < 0) cannot_write(path, reason_of(errno));
+    slot_ = note(aside_);
     file_ = ::fdopen(descriptor, "wb");
     if (file_ == nullptr) {
         ::close(descriptor);
         ::unlink(aside_.c_str());
+        forget(slot_);
         cannot_write(path, "out of memory");
     }
 }
 
 WholeFile::~WholeFile() {
     if (file_ != nullptr) std::fclose(file_);
-    if (!aside_.empty()) ::unlink(aside_.c_str());
+    if (aside_.empty()) return;
+    ::unlink(aside_.c_str());
+    forget(slot_);
 }
 
 void WholeFile::write(std::string_view bytes) {
@@ -79,7 +122,14 @@ void WholeFile::finish() {
     if (failure_.empty()) failure_ = objection(path_);  // names a directory that is gone
     if (failure_.empty() && std::rename(aside_.c_str(), path_.c_str()) != 0) failure_ = reason_of(errno);
     if (!failure_.empty()) cannot_write(path_, failure_);
+    forget(slot_);
     aside_.clear();
+}
+
+void take_unfinished_files_along() {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        if (::signal(signal, end_without_leavings) == SIG_IGN) ::signal(signal, SIG_IGN);  // nohup
+    }
 }
 
 void write_whole_file(const fs::path& path, std::string_view bytes) {

@@ -35,9 +35,13 @@ class WholeFile {
 
   private:
     std::filesystem::path path_, aside_;
+    std::size_t slot_;  ///< where a signal finds aside_
     std::FILE* file_ = nullptr;
     std::string failure_;
 };
+
+/// From now on a signal that ends the program (SIGINT, SIGTERM, SIGHUP) takes unfinished files away first.
+void take_unfinished_files_along();
 
 /// A whole file at once.  @throws std::runtime_error as WholeFile
 void write_whole_file(const std::filesystem::path& path, std::string_view bytes);

@@ -36,7 +36,7 @@ std::string listed(std::span<const std::string_view> words) {
 
 /// Whether so many edits are a slip, not another word.
 bool is_slip(std::size_t edits, std::string_view word) {
-    return edits <= std::max<std::size_t>(1, word.size() / 2);
+    return edits < word.size() && edits <= std::max<std::size_t>(2, word.size() / 2);
 }
 
 }  // namespace

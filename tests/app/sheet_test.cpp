@@ -212,8 +212,9 @@ TEST_F(Sheets, AreDrawnInBandsWithoutASeam) {
     SheetRequest request = request_of({{"", {{.field = &rising}}}});
     request.cell_width = 1600;
     request.title = "Rising";
-    const HeadlessUi ui(64, 64, 1.0f);
-    const PixelRect place = lay_out(request, ui.theme).cells[0].field;
+    ImGui::CreateContext();  // for the letters that the layout measures
+    const PixelRect place = lay_out(request, load_theme(1)).cells[0].field;
+    ImGui::DestroyContext();
     renderer_.begin(request);
     int bands = 1;
     std::optional<Image> image;

@@ -117,6 +117,15 @@ TEST_F(CommandLine, RefusesBadInputInOneLine) {
     expect_refused(whorl("run plume --steps 3 --steps 4"), "--steps is given more than once");
     expect_refused(whorl("run plume --scale big"), "--scale: \"big\" is not a number from 0.5 to 8");
     expect_refused(whorl("run plume --stepz 3 --foo"), "unknown option --stepz; did you mean --steps?");
+    expect_refused(whorl("--steps 1 run plume"), "--steps stands before run");
+    expect_refused(whorl("rnu plume"), "unknown verb \"rnu\"; did you mean run?");
+    expect_refused(whorl("run plume --csv ''"), "--csv: it lacks its value");
+    expect_refused(whorl("run plume --csv a --timing a"), "--csv and --timing name the same file, a");
+    expect_refused(whorl("run plume --light"), "give --picture FILE.png too");
+    expect_refused(whorl("run plume --animate x.avi"), "a film is NAME.mp4, NAME.gif");
+    for (const char* size : {"0x0", "65535x65535", "10x10", "800x", "800x600x", "-800x600"})
+        expect_refused(whorl(std::string("--size=") + size), "give WIDTHxHEIGHT from 320x240 to 8192x8192");
+    EXPECT_EQ(whorl("list >/dev/full").code, 1);
     expect_refused(whorl("run plume one two"), "\"one\" is one argument too many");
     expect_refused(whorl("--set zeta=1 run plume"), "--set stands before run");
     expect_refused(whorl("run xyz"), "give plume, plume-obstacle,");

@@ -112,6 +112,21 @@ TEST_F(CommandLine, RowsKeepALanesNameWhereverItMoves) {
     EXPECT_EQ(one.lines(), 1u + 1 + 2 * 3) << one.out;
 }
 
+TEST_F(CommandLine, ASignalLeavesNothingHalfWritten) {
+    for (const char* signal : {"TERM", "HUP"}) {
+        const std::string script =
+            "cd '" + folder.string() +
+            "' && { '" WHORL_BINARY
+            "' run plume --steps 1000000 --set resolution=16 --csv rows.csv --animate film-%d.png --every "
+            "100000"
+            " >/dev/null & p=$!; until ls | grep -q part-; do sleep 0.02; done; kill -" +
+            signal + " $p; wait $p; [ $? -gt 128 ]; } 2>/dev/null";
+        EXPECT_EQ(std::system(script.c_str()), 0) << signal << ": ended by the signal";
+        for (const auto& left : fs::directory_iterator(folder))
+            EXPECT_EQ(left.path().filename().string().find("part"), std::string::npos) << left.path();
+    }
+}
+
 TEST_F(CommandLine, EveryVerbTakesAFileOrAPicture) {
     write("s.toml", "whorl = 1\nexperiment = \"translation\"\nresolution = 20\nsteps = 30\n");
     ASSERT_EQ(whorl("run s.toml --steps 2 --picture p.png").code, 0);
