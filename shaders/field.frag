@@ -11,6 +11,7 @@ uniform vec2 offset;        // of the field's first sample, cells
 uniform vec2 range;         // value at the map's start, 1 / (value at its end - value at its start)
 uniform int taps;           // samples a pixel, along each side
 uniform float chequer;      // 1 / size of its squares, 1 / framebuffer pixels
+uniform vec3 texels;        // of the map: from its start to its end, those before its start, the first one used
 uniform vec3 outside;       // colour beyond the domain
 out vec4 colour;
 
@@ -24,9 +25,8 @@ float value_at(vec2 place) {
 
 vec3 mapped(vec2 place) {
     float value = value_at(place);
-    float t = clamp((value - range.x) * range.y, 0.0, 1.0);
-    int last = textureSize(map, 0) - 1;
-    vec3 shade = texelFetch(map, int(t * float(last) + 0.5), 0).rgb;
+    float texel = (value - range.x) * range.y * texels.x + texels.y;
+    vec3 shade = texelFetch(map, int(clamp(texel, texels.z, texels.x + texels.y) + 0.5), 0).rgb;
     ivec2 square = ivec2(gl_FragCoord.xy * chequer);
     vec3 broken = ((square.x ^ square.y) & 1) != 0 ? vec3(0.85, 0.20, 0.75) : vec3(0.18, 0.04, 0.16);
     return isnan(value) ? broken : shade;

@@ -151,7 +151,7 @@ std::string unexpected(const CLI::App& app) {
         std::find_if(left.begin(), left.end(), [](const std::string& a) { return a[0] == '-'; });
     if (option == left.end()) return too_many(app, left.front());
     const CLI::App& verb = verb_of(app);
-    if (&verb != &app && app.remaining().size() > 0) return stands_before(*option, verb);
+    if (&verb != &app && !app.remaining().empty()) return stands_before(*option, verb);
     std::vector<std::string> names;
     for (const CLI::Option* o : verb.get_options(
              [](const CLI::Option* o) { return !o->get_positional() && !o->get_group().empty(); })) {

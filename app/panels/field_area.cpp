@@ -237,7 +237,7 @@ void draw_fields(PanelContext& context, const FieldPlacement& place, const Pixel
     const std::string label =
         several ? shown_quantity(context) + "  " + std::string(context.fields.view().unit) : std::string();
     const ColourBar bar{context.view.map(context.fields.view(), context.fields.difference()), range.lo,
-                        range.hi, label};
+                        range.hi, label, context.fields.below(range)};
     draw_colour_bar(list, theme, bar,
                     {static_cast<float>(all.x), static_cast<float>(all.y + all.height) + theme.px(14)},
                     static_cast<float>(all.width));

@@ -53,6 +53,16 @@ void draw_colour_bar(ImDrawList& list, const Theme& theme, const ColourBar& bar,
         y += font.FontSize + theme.px(gap_points);
     }
     const float bottom = y + theme.px(bar_points);
+    if (bar.below && bar.map.shows_below(bar.lo, bar.hi)) {
+        const std::string name = "< " + figure(static_cast<double>(bar.lo));
+        const float taken = std::ceil(text_width(font, name)) + theme.px(gap_points);
+        list.AddRectFilled({corner.x, y}, {corner.x + taken - theme.px(gap_points), bottom},
+                           packed(below_colour));
+        list.AddText(&font, font.FontSize, {corner.x, bottom + theme.px(tick_points + 2.0f)},
+                     theme.palette.text_dim, name.data(), name.data() + name.size());
+        corner.x += taken;
+        width -= taken;
+    }
     const std::size_t pieces = bar.map.points.size() - 1;
     for (std::size_t k = 0; k < pieces; ++k) {
         const float left = static_cast<float>(k) / static_cast<float>(pieces);

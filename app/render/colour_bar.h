@@ -16,6 +16,7 @@ struct ColourBar {
     float lo = 0.0f;  ///< value at the left end
     float hi = 1.0f;
     std::string_view label = {};  ///< quantity and unit, above the bar; none if empty
+    bool below = false;           ///< names the colour of values below the map
 };
 
 /// Height that a colour bar takes, pixels.

@@ -20,10 +20,6 @@ constexpr ColourMap maps[] = {
     {"blue-dark-red", "Blue, dark, red", ColourMap::Kind::Diverging, tables::blue_dark_red},
 };
 
-/// Four to an 8-bit level: looking up the nearest one is as good as interpolating, and much quicker in
-/// software.
-constexpr int texels = 1024;
-
 glm::vec3 unpack(std::uint32_t rgb) {
     return glm::vec3((rgb >> 16) & 0xff, (rgb >> 8) & 0xff, rgb & 0xff) / 255.0f;
 }
@@ -49,15 +45,19 @@ const ColourMap* find_colour_map(std::string_view key) {
 
 void ColourMapTexture::upload(const ColourMap& map) {
     if (texture_ && key_ == map.key) return;
-    std::array<std::array<std::uint8_t, 4>, texels> colours{};
-    for (std::size_t k = 0; k < texels; ++k) {
-        const glm::vec3 colour = map.at(static_cast<float>(k) / (texels - 1)) * 255.0f + 0.5f;
-        colours[k] = {static_cast<std::uint8_t>(colour.r), static_cast<std::uint8_t>(colour.g),
-                      static_cast<std::uint8_t>(colour.b), 255};
+    std::array<std::array<std::uint8_t, 4>, before + along> colours{};
+    for (int k = 0; k < before + along; ++k) {
+        const glm::vec3 shown = k < before
+                                    ? glm::mix(below_colour, map.at(0.0f), static_cast<float>(k) / before)
+                                    : map.at(static_cast<float>(k - before) / (along - 1));
+        const glm::vec3 colour = shown * 255.0f + 0.5f;
+        colours[static_cast<std::size_t>(k)] = {static_cast<std::uint8_t>(colour.r),
+                                                static_cast<std::uint8_t>(colour.g),
+                                                static_cast<std::uint8_t>(colour.b), 255};
     }
     if (!texture_) texture_ = GlTexture::create();
     glBindTexture(GL_TEXTURE_1D, texture_.name());
-    glTexImage1D(GL_TEXTURE_1D, 0, GL_RGBA8, texels, 0, GL_RGBA, GL_UNSIGNED_BYTE, colours.data());
+    glTexImage1D(GL_TEXTURE_1D, 0, GL_RGBA8, before + along, 0, GL_RGBA, GL_UNSIGNED_BYTE, colours.data());
     glTexParameteri(GL_TEXTURE_1D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_1D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_1D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);

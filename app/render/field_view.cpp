@@ -87,6 +87,10 @@ void FieldView::draw(const FieldTexture& field, const ColourMap& map, const Fiel
     set(program.uniform("cells"), cells);
     set(program.uniform("offset"), glm::vec2(offset_x(field.site()), offset_y(field.site())));
     set(program.uniform("range"), glm::vec2(draw.lo, span != 0.0f ? 1.0f / span : 1e30f));
+    const bool shows_below = map.shows_below(draw.lo, draw.hi);
+    const auto before = static_cast<float>(ColourMapTexture::before);
+    set(program.uniform("texels"),
+        glm::vec3(ColourMapTexture::along - 1, before, shows_below ? 0.0f : before));
     glUniform1i(program.uniform("taps"), taps);
     glUniform1f(program.uniform("chequer"), 1.0f / (5.0f * draw.scale));
     set(program.uniform("outside"), draw.outside);

@@ -136,8 +136,8 @@ void draw_all_around(const Theme& theme, const SheetRequest& request, const Shee
                  line.text);
     }
     for (const SheetLayout::Cell& place : layout.cells) draw_around(list, theme, place);
-    draw_colour_bar(list, theme, {*request.map, request.lo, request.hi, request.label}, layout.bar,
-                    layout.bar_width);
+    draw_colour_bar(list, theme, {*request.map, request.lo, request.hi, request.label, request.below},
+                    layout.bar, layout.bar_width);
     for (const SheetLayout::PlotPlace& place : layout.plots) draw_plot_of(list, theme, place);
     add_paragraph(list, *theme.small, {layout.left, layout.caption_y}, layout.text_width,
                   theme.palette.text_dim, request.caption);

@@ -61,6 +61,7 @@ struct SheetRequest {
     float hi = 1.0f;            ///< value at the map's end
     std::string title = {};     ///< wrapped if it is long
     std::string label = {};     ///< quantity and unit, at the colour bar
+    bool below = false;         ///< names the colour of values below 0
     std::string caption = {};   ///< schemes, step, time …; lines are wrapped
     ViewWindow window{};        ///< part of every domain that is shown
     bool crisp = false;         ///< squares of one value each

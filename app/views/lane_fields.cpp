@@ -69,9 +69,11 @@ void LaneFields::measure_span(const SessionSnapshot& session) {
     const View& measured = difference_ ? app::view("difference") : *view_;
     const float centre = measured.centre(session.lanes.front());
     Range span{centre, centre};
+    least_ = 0;
     for (std::size_t k = 0; k < fields_.size(); ++k) {
         if (fields_[k] == nullptr) continue;
         const float from = measured.centre(session.lanes[k]);
+        if (!measured.middle) least_ = std::min(least_, View::least(session.lanes[k], *fields_[k]));
         const float far = measured.reach(session.lanes[k], *fields_[k]);
         span = {std::min(span.lo, measured.middle ? from - far : 0), std::max(span.hi, from + far)};
     }

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "app/render/colour_map.h"
 #include "app/views/views.h"
 #include "core/measure/average.h"
 
@@ -23,6 +24,8 @@ class LaneFields {
     const Field* of(std::size_t lane) const { return fields_[lane]; }
     /// What all lanes span, in fluid cells: the view's own range, or one symmetric about 0 for differences.
     Range span() const { return span_; }
+    /// Whether a lane has values so far below these ends of the colours that they show.
+    bool below(Range ends) const { return least_ < ends.lo - least_depth * (ends.hi - ends.lo); }
     /// Grows with every change.
     long version() const { return version_; }
 
@@ -43,6 +46,7 @@ class LaneFields {
     Boundary domain_;          ///< of the reference, without solids
     Averager averager_;
     Range span_{0, 1};
+    float least_ = 0;  ///< value of a view without a middle
     long version_ = 0;
 };
 

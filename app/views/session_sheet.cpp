@@ -119,6 +119,9 @@ SheetRequest sheet_of(std::span<const SessionSnapshot> rows, PictureStyle style,
     sheet.map = style.map != nullptr ? style.map : find_colour_map(coloured.map);
     sheet.lo = style.range.value_or(span).lo;
     sheet.hi = style.range.value_or(span).hi;
+    sheet.below = std::any_of(fields.begin(), fields.end(), [&](const LaneFields& row) {
+        return row.below({sheet.lo, sheet.hi});
+    });
     sheet.title = rows.front().setup.scene.title;
     sheet.label = bar_label(*style.view) + sheet.label;
     sheet.caption = caption_of(rows);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "app/plot/ticks.h"
@@ -91,6 +92,17 @@ float View::reach(const Snapshot& snapshot, const Field& values) const {
         }
     }
     return largest;
+}
+
+float View::least(const Snapshot& snapshot, const Field& values) {
+    float least = std::numeric_limits<float>::infinity();
+    for (int j = 0; j < values.height(); ++j) {
+        for (int i = 0; i < values.width(); ++i) {
+            if (snapshot.solids[static_cast<std::size_t>(j) * values.width() + i] != 0) continue;
+            least = std::min(least, static_cast<float>(values(i, j)));
+        }
+    }
+    return least;
 }
 
 Range View::automatic_range(const Snapshot& snapshot, const Field& values) const {

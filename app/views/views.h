@@ -32,6 +32,8 @@ struct View {
     float centre(const Snapshot& snapshot) const { return middle ? middle(snapshot) : 0; }
     /// How far fluid cells get above 0, or from the middle to either side.
     float reach(const Snapshot& snapshot, const Field& values) const;
+    /// The least value in fluid cells.
+    static float least(const Snapshot& snapshot, const Field& values);
     /// The range that shows all of the field's fluid cells: from 0, or symmetric about the middle.
     Range automatic_range(const Snapshot& snapshot, const Field& values) const;
 };

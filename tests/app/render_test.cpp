@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <glm/common.hpp>
 #include <optional>
 
 #include "app/render/arrows.h"
@@ -86,6 +87,31 @@ TEST_F(Render, FaceSamplesSitOnFaces) {
     }
     const Image image = draw(field, 40);
     for (const int x : {0, 13, 39}) expect_grey(image, x, 20, (static_cast<float>(x) + 0.5f) / 40);
+}
+
+TEST_F(Render, ValuesBelowAMapThatBeginsAtZeroHaveAColourOfTheirOwn) {
+    Field field(4, 1, Site::Centre);
+    const float values[] = {0, -1e-6f, -0.5f * full_depth, -1};
+    for (int i = 0; i < 4; ++i) field(i, 0) = static_cast<Real>(values[i]);
+    FieldDraw how;
+    how.crisp = true;
+    const Image image = draw(field, 40, how);
+    expect_grey(image, 5, 20, 0);
+    expect_grey(image, 15, 20, 0);
+    const auto expect = [&](int x, glm::vec3 colour) {
+        const Rgb got = pixel(image, x, 20);
+        const glm::vec3 wanted = 255.0f * colour;
+        // Two texels of those between the two colours.
+        const float near = 2 * 255.0f / ColourMapTexture::before + tolerance;
+        EXPECT_NEAR(static_cast<float>(got.r), wanted.r, near);
+        EXPECT_NEAR(static_cast<float>(got.g), wanted.g, near);
+        EXPECT_NEAR(static_cast<float>(got.b), wanted.b, near);
+    };
+    expect(25, glm::mix(below_colour, glm::vec3(1), 0.5f));  // the map begins with white
+    expect(35, below_colour);
+    how.lo = 0.25f;  // who begins above 0 has chosen what not to see
+    const Image chosen = draw(field, 40, how);
+    for (const int x : {5, 15, 25, 35}) expect_grey(chosen, x, 20, 0);
 }
 
 TEST_F(Render, ARangeMapsItsEnds) {
