@@ -179,7 +179,7 @@ class SumView {
         if (!s.acted()) return;
         words = "limited to " + pair("δᵢ", s.limited_left, "δᵢ₊₁", s.limited_right);
         if (s.D != 0) words += ", " + pair("α", s.limited_alpha(), "β", s.limited_beta());
-        small(theme_, theme_.palette.accent, words + "  (thesis eq. 3.15–3.22)");
+        small(theme_, theme_.palette.accent, words + "  (" + s.equation + ")");
     }
 
     void cut(const Cut& cut) const {

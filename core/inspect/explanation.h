@@ -26,6 +26,7 @@ struct CubicSlopes {
     double D = 0;  ///< q_{i+1} − q_i
     double left = 0, right = 0;
     double limited_left = 0, limited_right = 0;
+    std::string equation{};  ///< where the thesis has that limit, if there is one
 
     // Not finite where the interval is flat.
     double alpha() const { return left / D; }

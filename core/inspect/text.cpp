@@ -94,13 +94,13 @@ class Writer {
     }
 
     void write(const CubicSlopes& s, int depth) {
-        line(depth, "D = " + number(s.D) + ", δ_i = " + number(s.left) + ", δ_i+1 = " + number(s.right) +
+        line(depth, "D = " + number(s.D) + ", δᵢ = " + number(s.left) + ", δᵢ₊₁ = " + number(s.right) +
                         (s.D != 0 ? ", α = " + number(s.alpha()) + ", β = " + number(s.beta()) : ""));
         if (!s.acted()) return;
-        line(depth, "limited: δ_i = " + number(s.limited_left) + ", δ_i+1 = " + number(s.limited_right) +
+        line(depth, "limited: δᵢ = " + number(s.limited_left) + ", δᵢ₊₁ = " + number(s.limited_right) +
                         (s.D != 0 ? ", α = " + number(s.limited_alpha()) + ", β = " + number(s.limited_beta())
                                   : "") +
-                        "  [thesis eq. 3.15–3.22]");
+                        "  [" + s.equation + "]");
     }
 
     void write(const Cut& cut, int depth) {
