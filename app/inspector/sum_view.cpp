@@ -123,12 +123,17 @@ class SumView {
         bool& open = *ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("open"), open_at_first);
         const ImVec2 corner = ImGui::GetCursorScreenPos();
         const float width = ImGui::GetContentRegionAvail().x;
-        const float height = theme_.body->FontSize + theme_.px(7);
+        const float arm = theme_.px(3), left = 4 * arm;
+        const std::string value = written(sum.value(), 6);
+        const float wide = text_width(*theme_.mono, value);
+        ImGui::PushFont(theme_.bold);
+        const std::string title = broken(sum.title, std::max(1.0f, width - left - wide - theme_.px(8)));
+        const float height = ImGui::CalcTextSize(title.c_str()).y + theme_.px(7);
+        ImGui::PopFont();
         if (ImGui::InvisibleButton("fold", {std::max(width, 1.0f), height})) open = !open;
         ImDrawList& list = *ImGui::GetWindowDrawList();
         const ImU32 colour = ImGui::IsItemHovered() ? theme_.palette.text : theme_.palette.text_dim;
-        const float arm = theme_.px(3);
-        const ImVec2 middle{corner.x + arm, corner.y + 0.5f * height};
+        const ImVec2 middle{corner.x + arm, corner.y + 0.5f * (theme_.bold->FontSize + theme_.px(7))};
         if (open) {
             list.AddTriangleFilled({middle.x - arm, middle.y - 0.6f * arm},
                                    {middle.x + arm, middle.y - 0.6f * arm}, {middle.x, middle.y + arm},
@@ -137,12 +142,8 @@ class SumView {
             list.AddTriangleFilled({middle.x - 0.6f * arm, middle.y - arm}, {middle.x + arm, middle.y},
                                    {middle.x - 0.6f * arm, middle.y + arm}, colour);
         }
-        const std::string value = written(sum.value(), 6);
-        const float wide = text_width(*theme_.mono, value);
-        const float left = 4 * arm;
         const float y = corner.y + theme_.px(4);
-        add_text(list, *theme_.bold, {corner.x + left, y}, theme_.palette.text,
-                 app::fitted(*theme_.bold, sum.title, width - left - wide - theme_.px(8)));
+        add_text(list, *theme_.bold, {corner.x + left, y}, theme_.palette.text, title);
         add_text(list, *theme_.mono, {std::floor(corner.x + width - wide), y + theme_.px(1)},
                  theme_.palette.text, value);
         return open;

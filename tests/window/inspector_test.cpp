@@ -4,6 +4,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
+#include <imgui_internal.h>
 
 #include "app/inspector/overlay.h"
 #include "app/window/inspect_tool.h"
@@ -241,6 +242,25 @@ TEST(Inspector, CurvesAreInspectedToo) {
                                in.window.names, in.window.hover, in.window.trace, in.window.slabs})
                   .size(),
               4u);
+}
+
+TEST(Inspector, MakesWayForLessons) {
+    Inspected in(stepped("plume"), 1024, 768);
+    const auto left = [] { return ImGui::FindWindowByName("Inspector")->Pos.x; };
+    in.inspector.open = true;
+    for (int k = 0; k < 3; ++k) in.window.frame();
+    EXPECT_EQ(left(), in.window.layout.measures.x);
+    // Opened later, lessons have that column all the same.
+    in.window.view.lessons = true;
+    for (int k = 0; k < 3; ++k) in.window.frame();
+    EXPECT_EQ(left(), in.window.layout.controls.x);
+    in.window.view.lessons = false;
+    for (int k = 0; k < 3; ++k) in.window.frame();
+    EXPECT_EQ(left(), in.window.layout.measures.x);
+    // Who has put it elsewhere finds it there.
+    ImGui::SetWindowPos("Inspector", {300, 40});
+    for (int k = 0; k < 3; ++k) in.window.frame();
+    EXPECT_EQ(left(), 300);
 }
 
 TEST(Inspector, SaysWhyThereIsNothingToTell) {
