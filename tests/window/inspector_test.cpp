@@ -191,7 +191,7 @@ TEST(Inspector, WindowsAroundNodesStayInTheDomain) {
         e.at = corner;
         e.steps[0].path.start = corner;
         e.steps[0].path.end = {20, 10};
-        const ViewWindow window = window_around(e, {40, 20}, 0.5);
+        const ViewWindow window = window_around(e, {}, {40, 20}, 0.5);
         EXPECT_GE(window.low.x, 0);
         EXPECT_GE(window.low.y, 0);
         EXPECT_LE(window.high.x, 1);
@@ -200,7 +200,29 @@ TEST(Inspector, WindowsAroundNodesStayInTheDomain) {
     }
     // Ways that leave a periodic domain: all of it.
     e.steps[0].path.end = {-100, 300};
-    EXPECT_TRUE(window_around(e, {40, 20}, 0.5).whole());
+    EXPECT_TRUE(window_around(e, {}, {40, 20}, 0.5).whole());
+}
+
+TEST(Inspector, WindowsAroundNodesAreHalfFilled) {
+    Explanation e, wide;
+    e.at = {20.25, 10.25};
+    e.steps.resize(1);
+    e.steps[0].path.start = e.at;
+    e.steps[0].path.end = {23.5, 10.25};
+    wide = e;
+    const auto cells = [](const ViewWindow& window) {
+        return static_cast<double>(window.high.y - window.low.y) * 20 / 0.5;
+    };
+    // From the cell's left edge to the way's end, 7 cells, in a window of 28 × 14: half of the longer side
+    // would be less than what the closest view shows.
+    EXPECT_NEAR(cells(window_around(e, {}, {40, 20}, 0.5)), 7, 1e-4);
+    e.steps[0].path.end = {20.25, 13.5};
+    EXPECT_NEAR(cells(window_around(e, {}, {40, 20}, 0.5)), 14, 1e-4) << "of the shorter side";
+    e.steps[0].path.end = e.at;
+    EXPECT_NEAR(cells(window_around(e, {}, {40, 20}, 0.5)), static_cast<double>(closest_cells), 1e-4);
+    // Another lane's way of 6.5 cells and the margin, on both sides of the chosen one's node.
+    const Explanation* const others[] = {&wide};
+    EXPECT_NEAR(cells(window_around(e, others, {40, 20}, 0.5)), 7, 1e-4);
 }
 
 TEST(Inspector, SumsBelongToTheStepsThatAreDrawn) {
