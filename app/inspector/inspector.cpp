@@ -55,14 +55,15 @@ ViewWindow window_around(const Explanation& chosen, std::span<const Explanation*
     const Box box = box_of(chosen, h);
     Box all = box;
     for (const Explanation* other : others) all.add(box_of(*other, h));
-    // Both sides are the same part of the domain's, so that cells stay square. The chosen lane's middle is
-    // the window's: the others' must fit on either side of it.
-    const glm::dvec2 middle = 0.5 * (box.low() + box.high());
-    const glm::dvec2 reach = glm::max(all.high() - middle, middle - all.low()) + margin * h;
-    const glm::dvec2 needed = glm::max((box.high() - box.low()) / share, 2.0 * reach) / domain;
+    const glm::dvec2 low = (all.low() - margin * h) / domain, high = (all.high() + margin * h) / domain;
+    // Both sides are the same part of the domain's, so that cells stay square.
+    const glm::dvec2 needed = glm::max((box.high() - box.low()) / (share * domain), high - low);
     const double least = static_cast<double>(closest_cells) * h / std::min(domain.x, domain.y);
     const double part = std::min(1.0, std::max({needed.x, needed.y, least}));
-    const glm::dvec2 corner = glm::clamp(middle / domain - 0.5 * part, glm::dvec2(0), glm::dvec2(1 - part));
+    // The chosen lane's in the middle, as far as all is seen.
+    const glm::dvec2 centred = 0.5 * (box.low() + box.high()) / domain - 0.5 * part;
+    const glm::dvec2 corner =
+        glm::clamp(glm::max(glm::min(centred, low), high - part), glm::dvec2(0), glm::dvec2(1 - part));
     return {glm::vec2(corner), glm::vec2(corner + part)};
 }
 
