@@ -173,9 +173,10 @@ void NodeStepper::gather(const Stepping& from, int i, int j, const Departing& no
     out.sum.title = from.symbol + " from " + std::to_string(stencil_.particles().size()) + " particles";
     out.sum.equation = update_source(schemes_);
     out.sum.total = number(out.value);
+    out.sum.units = "x_s from the node, in cells";
     out.drawn.weight_sum = stencil_.weight_sum();
     const auto add = [&](const Particle& particle, const StencilParticle& found, Sum part) {
-        out.sum.terms.push_back({"x_s " + offset_name(particle.offset), found.weight, found.at_node});
+        out.sum.terms.push_back({offset_name(particle.offset), found.weight, found.at_node});
         out.sum.parts.push_back(std::move(part));
         out.drawn.particles.push_back(found);
     };
@@ -220,11 +221,13 @@ Sum NodeStepper::particle_sum(const Particle& particle, const StencilParticle& f
     sum.terms.push_back({"q_s", 1, found.value});
     if (schemes_.expansion() != Expansion::Value) {
         sum.equation = "thesis eq. 4.1, its bracket; q_s and ∂q: eq. 4.2–4.3";
+        sum.units = "times x_i − x_s in cells; ∂q per cell";
         sum.terms.push_back({"∂q/∂x", to_x, found.gradient_x});
         sum.terms.push_back({"∂q/∂y", to_y, found.gradient_y});
     }
     if (schemes_.expansion() == Expansion::CrossTerm) {
         sum.equation += "; c_xy after sec. 6.1";
+        sum.units += ", c_xy per cell²";
         sum.terms.push_back({"c_xy", to_x * to_y, found.cross});
     }
     sum.total = found.at_node;

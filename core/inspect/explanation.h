@@ -51,7 +51,8 @@ struct Sum {
     std::string title;     ///< what it is the value of
     std::string equation;  ///< where the thesis has it, or what else is its source
     std::vector<Term> terms;
-    double total = 0;  ///< as the solver rounds it
+    double total = 0;     ///< as the solver rounds it
+    std::string units{};  ///< of labels, weights and values, where they are not all those of the field
     std::optional<CubicSlopes> slopes{};
     std::optional<Cut> cut{};
     std::vector<Sum> parts{};  ///< where values of terms come from

@@ -67,6 +67,7 @@ Sum cubic_sum(std::string title, const Names& names, const Samples& q, const Alo
                  term("δᵢ", hermite<Real>(0, 0, 1, 0, a.t), limited.left),
                  term("δᵢ₊₁", hermite<Real>(0, 0, 0, 1, a.t), limited.right)};
     sum.total = static_cast<double>(value<I>(q, a));
+    sum.units = "slopes δ per cell";
     sum.slopes = CubicSlopes{static_cast<double>(d.D),           static_cast<double>(d.left),
                              static_cast<double>(d.right),       static_cast<double>(limited.left),
                              static_cast<double>(limited.right), equations("3.15", I::info.source)};

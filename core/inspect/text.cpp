@@ -58,7 +58,8 @@ class Writer {
     }
 
     void write(const BaseStep& step) {
-        line(1, step.title + ": " + point(step.path.start) + " → " + point(step.path.end));
+        line(1,
+             step.title + ": " + point(step.path.start) + " → " + point(step.path.end) + ", in length units");
         for (const Path::Stage& stage : step.path.stages) {
             line(2, "velocity at " + point(stage.at) + " is " + point({stage.u, stage.v}));
         }
@@ -82,7 +83,8 @@ class Writer {
     }
 
     void write(const Sum& sum, int depth) {
-        line(depth, sum.title + " = " + number(sum.value()) + "  [" + sum.equation + "]");
+        line(depth, sum.title + " = " + number(sum.value()) + "  [" + sum.equation + "]" +
+                        (sum.units.empty() ? "" : "; " + sum.units));
         if (sum.slopes) write(*sum.slopes, depth + 1);
         for (const Term& term : sum.terms) {
             line(depth + 1, column(term.weight) + " ×" + column(term.value) + " =" + column(term.product()) +
