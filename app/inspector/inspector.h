@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <glm/vec2.hpp>
 #include <optional>
+#include <span>
 
 #include "app/render/view_window.h"
 #include "core/inspect/explanation.h"
@@ -38,9 +39,12 @@ struct Inspector {
 /// The sum behind a base step's value: the whole one, or of predictor-correctors a part of it.
 const Sum& sum_of(const Explanation& explanation, std::size_t step);
 
-/// The part of the domain that shows a node with all its ways and what was read, and some cells around.
+/// The part of the domain that shows a node with all its ways and what was read, which fill about half of it
+/// where the closest view lets them.
+/// @param others  of the same node in the lanes beside it, which share the view: all of them is seen too
 /// @param domain  its sides, length
 /// @param h       side of a cell, length
-ViewWindow window_around(const Explanation& explanation, glm::dvec2 domain, double h);
+ViewWindow window_around(const Explanation& chosen, std::span<const Explanation* const> others,
+                         glm::dvec2 domain, double h);
 
 }  // namespace whorl::app

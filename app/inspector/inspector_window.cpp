@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "app/inspector/sum_view.h"
 #include "app/inspector/way_lens.h"
@@ -159,7 +160,11 @@ void draw_inspector_window(PanelContext& context) {
     // What is shown may still be of the node that was picked before.
     if (lane.watched == inspector.node && std::exchange(inspector.goes_closer, false)) {
         const Grid& grid = lane.grid;
-        context.view.window = window_around(e, {grid.width(), grid.height()}, grid.h);
+        std::vector<const Explanation*> others;
+        for (const Snapshot& other : context.remote.session().lanes) {
+            if (other.explanation) others.push_back(&*other.explanation);
+        }
+        context.view.window = window_around(e, others, {grid.width(), grid.height()}, grid.h);
     }
     head(context, e);
     buttons(context, e, inspector);

@@ -12,6 +12,7 @@ namespace {
 constexpr ImU32 shadow = IM_COL32(0, 0, 0, 170);
 constexpr double lines_from = 14;    // points of a cell from which its edges are drawn
 constexpr double written_from = 34;  // points of a cell from which weights have room to be written
+constexpr float cross_arm = 5;       // points: of the cross where the value is read
 
 /// Whether a limiter has changed a sum's value.
 bool cuts(const Sum& sum) {
@@ -138,26 +139,45 @@ class Drawing {
             dot(middle, radius, weight < 0 ? theme_.palette.accent : theme_.palette.text);
             if (pointed)
                 list_.AddCircle(middle, radius + theme_.px(3), theme_.palette.accent, 0, theme_.px(2));
-            write(middle, radius, weight);
+            write(step, middle, radius, weight);
         }
     }
-    void write(ImVec2 middle, float radius, double weight) const {
+    /// Below the node, or on another side of it where that leaves the way's ends free.
+    void write(const BaseStep& step, ImVec2 middle, float radius, double weight) const {
         if (cell_ < theme_.px(static_cast<float>(written_from))) return;
         char text[16];
         std::snprintf(text, sizeof text, "%.2f", weight);
         const ImFont& font = *theme_.small;
-        const float width = text_width(font, text);
-        const ImVec2 low{std::floor(middle.x - 0.5f * width), std::floor(middle.y + radius + theme_.px(2))};
-        list_.AddRectFilled({low.x - theme_.px(2), low.y},
-                            {low.x + width + theme_.px(2), low.y + font.FontSize}, shadow, theme_.px(2));
-        add_text(list_, font, low, IM_COL32(255, 255, 255, 255), text);
+        const float pad = theme_.px(2);
+        const ImVec2 size{text_width(font, text) + 2 * pad, font.FontSize};
+        const float off = radius + pad;
+        const ImVec2 corners[] = {{middle.x - 0.5f * size.x, middle.y + off},
+                                  {middle.x - 0.5f * size.x, middle.y - off - size.y},
+                                  {middle.x + off, middle.y - 0.5f * size.y},
+                                  {middle.x - off - size.x, middle.y - 0.5f * size.y}};
+        const ImVec2* corner = std::ranges::find_if(corners, [&](ImVec2 c) {
+            return !near(at(step.read), c, size) && !near(at(step.path.start), c, size);
+        });
+        if (corner == std::end(corners)) corner = corners;
+        const ImVec2 low{std::floor(corner->x), std::floor(corner->y)};
+        list_.AddRectFilled(low, {low.x + size.x, low.y + size.y}, shadow, pad);
+        add_text(list_, font, {low.x + pad, low.y}, IM_COL32(255, 255, 255, 255), text);
+    }
+    /// Whether a cross at a place reaches into a rectangle.
+    bool near(ImVec2 cross, ImVec2 low, ImVec2 size) const {
+        const float reach = theme_.px(cross_arm + 2);
+        return cross.x > low.x - reach && cross.x < low.x + size.x + reach && cross.y > low.y - reach &&
+               cross.y < low.y + size.y + reach;
     }
 
-    /// Where each began, as large as its weight, and where the flow brought it from.
+    /// Where each began, a ring as large as its weight, and where the flow brought it from, a dot: both are
+    /// seen where the flow is slow.
     void particles(const BaseStep& step) const {
         double most = 0;
         for (const StencilParticle& p : step.particles) most = std::max(most, p.weight);
-        const float whole = std::min(0.1f * cell_, theme_.px(7));
+        // Neighbours of a square of them do not touch.
+        const float apart = cell_ / std::max(1.0f, std::sqrt(static_cast<float>(step.particles.size())) - 1);
+        const float whole = std::min(0.4f * apart, theme_.px(7));
         for (std::size_t k = 0; k < step.particles.size(); ++k) {
             const StencilParticle& p = step.particles[k];
             const bool pointed = inspector_.pointed && inspector_.pointed->term == k;
@@ -165,8 +185,9 @@ class Drawing {
             list_.AddLine(start, end, faded(theme_.palette.text, 0.35f), theme_.thin());
             const float radius =
                 std::max(theme_.px(1.5f), whole * static_cast<float>(std::sqrt(p.weight / most)));
-            dot(end, radius, colours_.scheme);
-            dot(start, radius, theme_.palette.text);
+            list_.AddCircle(start, radius, shadow, 0, theme_.px(1) + 2 * theme_.thin());
+            list_.AddCircle(start, radius, theme_.palette.text, 0, theme_.px(1));
+            dot(end, 0.5f * radius, colours_.scheme);
             if (!pointed) continue;
             line(start, end, theme_.palette.accent, 1.5f);
             list_.AddCircle(end, radius + theme_.px(3), theme_.palette.accent, 0, theme_.px(2));
@@ -185,7 +206,7 @@ class Drawing {
         arrow_head(start, end);
         dot(start, theme_.px(2.5f), colours_.scheme);
         const ImVec2 read = at(step.read);
-        const float arm = theme_.px(5);
+        const float arm = theme_.px(cross_arm);
         line({read.x - arm, read.y}, {read.x + arm, read.y}, colours_.scheme, 1);
         line({read.x, read.y - arm}, {read.x, read.y + arm}, colours_.scheme, 1);
     }

@@ -8,6 +8,7 @@
 
 #include "app/inspector/overlay.h"
 #include "app/inspector/sum_view.h"
+#include "app/panels/lesson_text.h"
 #include "app/panels/widgets.h"
 #include "app/render/text.h"
 
@@ -103,20 +104,23 @@ void draw_way_lens(PanelContext& context, const BaseStep& step, double h) {
                        "The bar is a part of a cell", "thesis eq. 3.3–3.5", ""});
     draw_lens(theme, ways, step.path.start, h, corner, side);
     const float left = corner.x + side + theme.px(10);
-    const float room = corner.x + side + ImGui::GetContentRegionAvail().x - left;
+    const float room = corner.x + ImGui::GetContentRegionAvail().x - left;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     float y = corner.y + theme.px(2);
-    const auto line = [&](ImU32 colour, const ImFont& font, const std::string& words) {
-        add_text(list, font, {left, y}, colour, app::fitted(font, words, std::max(0.0f, room)));
-        y += font.FontSize + theme.px(5);
+    const auto line = [&](ImU32 colour, ImFont& font, const std::string& words) {
+        ImGui::PushFont(&font);
+        const std::string lines = broken(words, std::max(1.0f, room));
+        add_text(list, font, {left, y}, colour, lines);
+        y += ImGui::CalcTextSize(lines.c_str()).y + theme.px(4);
+        ImGui::PopFont();
     };
     const double way = distance(step.path.start, step.path.end) / h;
     line(theme.palette.text, *theme.small, "way: " + written(way, 3) + " cells");
-    line(theme.palette.text_dim, *theme.small, "its end off the exact one, in cells:");
+    line(theme.palette.text_dim, *theme.small, "its end off the exact, in cells:");
     for (std::size_t k = 0; k + 1 < ways.size(); ++k)
         line(ways[k].colour, *theme.mono,
              std::string(ways[k].name) + "  " + written(distance(ways[k].end, exact) / h, 2));
-    ImGui::Dummy({0, theme.px(2)});
+    ImGui::Dummy({0, std::max(theme.px(2), y - corner.y - side)});
 }
 
 }  // namespace whorl::app

@@ -68,9 +68,13 @@ struct LabState {
     StencilLab stencil;
     SliceLab slice;
     Inspector inspector;
-    /// Left edge and width of the column that a lab may stand over, pixels.
-    std::array<float, 2> side{};
-    bool under_pointer = false;  ///< a lab's window is: the field below takes no strokes
+    /// The column that a lab may stand over: its left edge and width, pixels.
+    struct Side {
+        float x = 0, width = 0;
+        bool beside_lessons = false;  ///< it is another one then
+    } side;
+    bool stood_beside_lessons = false;  ///< where such a lab was put last
+    bool under_pointer = false;         ///< a lab's window is: the field below takes no strokes
 };
 
 }  // namespace whorl::app

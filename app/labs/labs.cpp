@@ -3,6 +3,7 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "app/inspector/inspector_window.h"
 #include "app/labs/interpolation_lab.h"
@@ -25,8 +26,8 @@ Bounds bounds_of(const PanelContext& context, const LabInfo& lab, int before) {
     const float margin = theme.px(8);
     const ImVec2 most{screen.x - 2 * margin, screen.y - 2 * margin};
     if (lab.place == Place::Side) {
-        const auto [x, width] = context.view.labs.side;
-        return {{x, margin}, {width, most.y}};
+        const LabState::Side& side = context.view.labs.side;
+        return {{side.x, margin}, {side.width, most.y}};
     }
     const ImVec2 size{std::min(theme.px(lab.width), most.x), std::min(theme.px(lab.height), most.y)};
     const float down = lab.place == Place::Bottom ? 1 : 0.5f;
@@ -36,12 +37,15 @@ Bounds bounds_of(const PanelContext& context, const LabInfo& lab, int before) {
             size};
 }
 
-bool begin(const PanelContext& context, const LabInfo& lab, int before, bool& open) {
+/// @param moved  whether a lab's own column is another one than it was
+bool begin(const PanelContext& context, const LabInfo& lab, int before, bool moved, bool& open) {
     const Theme& theme = context.theme;
     const Bounds bounds = bounds_of(context, lab, before);
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowSize(bounds.size, ImGuiCond_Appearing);
-    ImGui::SetNextWindowPos(bounds.low, ImGuiCond_Appearing);
+    const ImGuiCond when =
+        moved && lab.place == LabInfo::Place::Side ? ImGuiCond_Always : ImGuiCond_Appearing;
+    ImGui::SetNextWindowSize(bounds.size, when);
+    ImGui::SetNextWindowPos(bounds.low, when);
     ImGui::SetNextWindowSizeConstraints(
         {std::min(theme.px(440), bounds.size.x), std::min(theme.px(300), bounds.size.y)}, screen);
     return ImGui::Begin(
@@ -75,11 +79,13 @@ std::span<const LabInfo> labs() {
 void draw_labs(PanelContext& context) {
     LabState& state = context.view.labs;
     state.under_pointer = false;
+    const bool beside = state.side.beside_lessons;
+    const bool moved = std::exchange(state.stood_beside_lessons, beside) != beside;
     int before = 0;
     for (const LabInfo& lab : labs()) {
         bool& open = lab.open(state);
         if (!open) continue;
-        if (begin(context, lab, before++, open)) {
+        if (begin(context, lab, before++, moved, open)) {
             context.trace.control("lab-window=" + std::string(lab.key));
             lab.draw(context);
         }

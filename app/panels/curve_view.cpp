@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "app/inspector/overlay.h"
 #include "app/panels/field_header.h"
@@ -37,6 +38,24 @@ Interval steady_scale(std::span<const Curve> curves, double most) {
     return {std::min(-0.05, 1.05 * static_cast<double>(least)), std::max(1.05, 1.02 * most)};
 }
 
+/// The lane whose curve is nearest; the selected one where others are as near.
+/// @param lanes  of the curves
+/// @param away   how far the curves are, pixels; of these and of others behind them
+std::size_t nearest(std::span<const std::size_t> lanes, std::span<const float> away, std::size_t selected) {
+    constexpr float same = 1;  // pixel
+    std::size_t best = selected;
+    float least = std::numeric_limits<float>::infinity();
+    for (std::size_t k = 0; k < lanes.size(); ++k) {
+        if (lanes[k] == selected) least = away[k] - same;
+    }
+    for (std::size_t k = 0; k < lanes.size(); ++k) {
+        if (away[k] >= least) continue;
+        least = away[k];
+        best = lanes[k];
+    }
+    return best;
+}
+
 }  // namespace
 
 void draw_curve_view(PanelContext& context, ImVec2 size) {
@@ -49,12 +68,14 @@ void draw_curve_view(PanelContext& context, ImVec2 size) {
     std::array<Curve, Setup::max_lanes> curves;
     Curve exact;
     std::vector<Series> series;
+    std::vector<std::size_t> lanes;  // of the series
     for (std::size_t k = 0; k < context.names.size(); ++k) {
         if (context.fields.of(k) == nullptr) continue;
         curves[k] = curve_of(*context.fields.of(k), context.remote.session().lanes[k].grid);
         const std::string_view alone = compares ? "numerical" : view.label;
         series.push_back(series_of(curves[k], several ? context.names.name(k) : alone,
                                    theme.lane(static_cast<int>(k)), !several));
+        lanes.push_back(k);
     }
     if (compares) {
         exact = curve_of(selected.exact, selected.grid);
@@ -76,11 +97,13 @@ void draw_curve_view(PanelContext& context, ImVec2 size) {
     plot.size = size;
     const std::vector<PlotMark> marks = inspected_marks(context);
     plot.marks = marks;
-    const std::optional<double> x = draw_plot(theme, plot, series);
+    std::vector<float> away;
+    const std::optional<double> x = draw_plot(theme, plot, series, &away);
     Inspector& inspector = context.view.labs.inspector;
-    if (!x) return;
-    if (inspector.open && ImGui::IsMouseDown(ImGuiMouseButton_Left))
-        inspector.pick({*x, 0.5 * selected.grid.h});
+    if (!x || !inspector.open) return;
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left))
+        context.remote.select(nearest(lanes, away, context.remote.selected()));
+    if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) inspector.pick({*x, 0.5 * selected.grid.h});
 }
 
 }  // namespace whorl::app

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "app/plot/axes.h"
@@ -87,10 +88,30 @@ void draw_marks(ImDrawList& list, const Theme& theme, const Plot& plot, const Fr
     }
 }
 
+/// How far from a pixel the pieces of a curve pass; a sample by itself is no piece.
+float distance(ImVec2 from, const std::vector<CurvePoint>& curve, const Abscissa& abscissa,
+               const Frame& frame) {
+    float least = std::numeric_limits<float>::infinity();
+    const auto at = [&](const CurvePoint& point) {
+        return ImVec2(frame.to_x(abscissa.at(point.index)), frame.to_y(static_cast<double>(point.y)));
+    };
+    for (std::size_t k = 1; k < curve.size(); ++k) {
+        const ImVec2 a = at(curve[k - 1]), b = at(curve[k]);
+        const float x = b.x - a.x, y = b.y - a.y, length2 = x * x + y * y;
+        const float along = length2 > 0 ? ((from.x - a.x) * x + (from.y - a.y) * y) / length2 : 0;
+        const float t = std::clamp(along, 0.0f, 1.0f);
+        const float d = std::hypot(a.x + t * x - from.x, a.y + t * y - from.y);
+        if (d < least) least = d;  // not where a sample is missing
+    }
+    return least;
+}
+
 /// Draws a card.
+/// @param away  as draw_plot's
 /// @return x of the sample under the pointer, if any
 std::optional<double> paint(ImDrawList& list, const Theme& theme, const Plot& plot,
-                            std::span<const Series> series, const Card& card) {
+                            std::span<const Series> series, const Card& card,
+                            std::vector<float>* away = nullptr) {
     list.PushClipRect(card.low, card.high, true);
     std::vector<LegendEntry> legend;
     for (const Series& one : plot.legend ? series : std::span<const Series>()) {
@@ -133,6 +154,12 @@ std::optional<double> paint(ImDrawList& list, const Theme& theme, const Plot& pl
         const std::optional<double> pointed = hovered_x(card, frame);
         if (pointed && drawn > 0) under = nearest_sample(plot, series, *pointed);
         const std::optional<double> hairline = under ? under : plot.marker;
+        if (under && away != nullptr) {
+            away->clear();
+            for (std::size_t k = 0; k < series.size(); ++k)
+                away->push_back(
+                    distance(ImGui::GetIO().MousePos, curves[k], Abscissa(plot, series[k]), frame));
+        }
         if (hairline) draw_dots(list, theme, plot, series, frame, *hairline);
     }
     list.PopClipRect();
@@ -154,10 +181,11 @@ std::vector<ValueRow> values_at(const Plot& plot, std::span<const Series> series
 
 }  // namespace
 
-std::optional<double> draw_plot(const Theme& theme, const Plot& plot, std::span<const Series> series) {
+std::optional<double> draw_plot(const Theme& theme, const Plot& plot, std::span<const Series> series,
+                                std::vector<float>* away) {
     const Card card = place_card(plot);
     if (!card.visible) return std::nullopt;
-    const std::optional<double> x = paint(*ImGui::GetWindowDrawList(), theme, plot, series, card);
+    const std::optional<double> x = paint(*ImGui::GetWindowDrawList(), theme, plot, series, card, away);
     if (x) show_values(theme, plot, *x, values_at(plot, series, *x));
     return x;
 }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "app/render/theme.h"
 
@@ -56,8 +57,10 @@ struct Plot {
 /// Draws a card at ImGui's cursor and advances it. A curve costs a pass over its samples (10 µs for 10,000)
 /// and draws at most two points a pixel column. The legend wraps beside or below the title, and gives way
 /// where it would leave the curves no room. The tooltip lists the curves from top to bottom.
+/// @param away  gets how far from the pointer each curve passes, pixels, where there is a sample under it
 /// @return x of the sample under the pointer, if any: pass it to the other plots as `marker`
-std::optional<double> draw_plot(const Theme& theme, const Plot& plot, std::span<const Series> series);
+std::optional<double> draw_plot(const Theme& theme, const Plot& plot, std::span<const Series> series,
+                                std::vector<float>* away = nullptr);
 
 /// Draws the same card, `plot.size` pixels large, anywhere: for pictures.
 void paint_plot(ImDrawList& list, const Theme& theme, const Plot& plot, std::span<const Series> series,

@@ -15,7 +15,7 @@ struct ViewWindow {
 };
 
 /// Cells across the shorter side of the closest view.
-inline constexpr float closest_cells = 8.0f;
+inline constexpr float closest_cells = 3.0f;
 
 /// The window seen closer, both sides by the same factor, the place `about` held where it is as far as the
 /// domain's edges allow.

@@ -21,4 +21,9 @@ struct Layout {
 /// @param reading  whether lessons or the inspector stand where the measures do: text needs more room
 Layout lay_out(const Theme& theme, const FieldShape& shape, float width, float height, bool reading);
 
+/// The column that the inspector stands over: lessons leave it that of the controls.
+inline const Column& inspector_column(const Layout& layout, bool lessons) {
+    return lessons ? layout.controls : layout.measures;
+}
+
 }  // namespace whorl::app

@@ -263,8 +263,8 @@ void Workbench::draw() {
     const Layout layout =
         lay_out(theme, field_shape(session, view_), static_cast<float>(window_.framebuffer_width()),
                 static_cast<float>(window_.framebuffer_height()), view_.lessons || view_.labs.inspector.open);
-    const Column& side = view_.lessons ? layout.controls : layout.measures;
-    view_.labs.side = {side.x, side.width};
+    const Column& side = inspector_column(layout, view_.lessons);
+    view_.labs.side = {side.x, side.width, view_.lessons};
 
     begin_panel("controls", layout, layout.controls, theme, slabs_);
     draw_control_column(context);

@@ -26,6 +26,13 @@ std::string offset_name(Vec2 offset) {
     return text;
 }
 
+/// Where the thesis has the update of an affine scheme. A base step's clamp has a source of its own.
+std::string update_source(const SchemeSet& schemes) {
+    if (!schemes.predictor_corrector()) return thesis_part(schemes.advector.info().source);
+    const bool clamped = schemes.base == Bases::of<AslamClamped>();
+    return thesis_part(clamped ? Aslam::info.source : schemes.base.info().source);
+}
+
 /// Whether clamping an interpolation is more than its own nature.
 bool clamps(const SchemeSet& schemes) {
     return schemes.clamped &&
@@ -164,12 +171,12 @@ void NodeStepper::gather(const Stepping& from, int i, int j, const Departing& no
     out.value = first_order[0] + sum[0];
 
     out.sum.title = from.symbol + " from " + std::to_string(stencil_.particles().size()) + " particles";
-    out.sum.equation = thesis_part(schemes_.predictor_corrector() ? schemes_.base.info().source
-                                                                  : schemes_.advector.info().source);
+    out.sum.equation = update_source(schemes_);
     out.sum.total = number(out.value);
+    out.sum.units = "x_s from the node, in cells";
     out.drawn.weight_sum = stencil_.weight_sum();
     const auto add = [&](const Particle& particle, const StencilParticle& found, Sum part) {
-        out.sum.terms.push_back({"x_s " + offset_name(particle.offset), found.weight, found.at_node});
+        out.sum.terms.push_back({offset_name(particle.offset), found.weight, found.at_node});
         out.sum.parts.push_back(std::move(part));
         out.drawn.particles.push_back(found);
     };
@@ -210,14 +217,17 @@ Sum NodeStepper::particle_sum(const Particle& particle, const StencilParticle& f
     const double to_x = -number(particle.offset.x), to_y = -number(particle.offset.y);
     Sum sum;
     sum.title = "x_s " + offset_name(particle.offset);
-    sum.equation = "thesis eq. 4.2–4.3";
+    sum.equation = "thesis eq. 4.3";
     sum.terms.push_back({"q_s", 1, found.value});
     if (schemes_.expansion() != Expansion::Value) {
+        sum.equation = "thesis eq. 4.1, its bracket; q_s and ∂q: eq. 4.2–4.3";
+        sum.units = "times x_i − x_s in cells; ∂q per cell";
         sum.terms.push_back({"∂q/∂x", to_x, found.gradient_x});
         sum.terms.push_back({"∂q/∂y", to_y, found.gradient_y});
     }
     if (schemes_.expansion() == Expansion::CrossTerm) {
-        sum.equation = "thesis eq. 4.2–4.3; c_xy after sec. 6.1";
+        sum.equation += "; c_xy after sec. 6.1";
+        sum.units += ", c_xy per cell²";
         sum.terms.push_back({"c_xy", to_x * to_y, found.cross});
     }
     sum.total = found.at_node;
@@ -260,7 +270,10 @@ void NodeStepper::limit(const Field& q, Index cell, Real first_order, Sum& sum, 
     value = limited(kernels_.limit, q, cell, first_order, before);
     sum.cut = cut(q, cell, before, value);
     sum.cut->by = "limiter: " + std::string(schemes_.limiter.info().label);
-    sum.cut->equation = thesis_part(schemes_.limiter.info().source);
+    const bool as_aslam = schemes_.affine() && !schemes_.predictor_corrector() &&
+                          schemes_.limiter == Limiters::of<ClampLimiter>();
+    sum.cut->equation =
+        as_aslam ? "thesis ch. 4, after eq. 4.3" : thesis_part(schemes_.limiter.info().source);
     if (schemes_.limiter == Limiters::of<RevertLimiter>()) sum.cut->first_order = number(first_order);
 }
 

@@ -82,6 +82,7 @@ class Explainer {
                                     {"error e", -1, static_cast<double>(lost)}},
                           .total = static_cast<double>(way.corrected[0](out_.of_i, out_.of_j))};
             sum.terms = {{last.sum.title, 1, static_cast<double>(last.value)}};
+            sum.equation += ", step 5";
             later = {std::move(corrected), std::move(last.sum)};
         } else {
             sum.equation += ", eq. 3.26";

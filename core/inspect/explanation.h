@@ -26,6 +26,7 @@ struct CubicSlopes {
     double D = 0;  ///< q_{i+1} − q_i
     double left = 0, right = 0;
     double limited_left = 0, limited_right = 0;
+    std::string equation{};  ///< where the thesis has that limit, if there is one
 
     // Not finite where the interval is flat.
     double alpha() const { return left / D; }
@@ -50,7 +51,8 @@ struct Sum {
     std::string title;     ///< what it is the value of
     std::string equation;  ///< where the thesis has it, or what else is its source
     std::vector<Term> terms;
-    double total = 0;  ///< as the solver rounds it
+    double total = 0;     ///< as the solver rounds it
+    std::string units{};  ///< of labels, weights and values, where they are not all those of the field
     std::optional<CubicSlopes> slopes{};
     std::optional<Cut> cut{};
     std::vector<Sum> parts{};  ///< where values of terms come from

@@ -64,12 +64,13 @@ Sum cubic_sum(std::string title, const Names& names, const Samples& q, const Alo
     // A cubic is linear in what it is given: its weights are what it makes of 1 and 0.
     sum.terms = {term(names[1], hermite<Real>(1, -1, 0, 0, a.t), q[1]),
                  term(names[2], hermite<Real>(0, 1, 0, 0, a.t), q[2]),
-                 term("δ_i", hermite<Real>(0, 0, 1, 0, a.t), limited.left),
-                 term("δ_i+1", hermite<Real>(0, 0, 0, 1, a.t), limited.right)};
+                 term("δᵢ", hermite<Real>(0, 0, 1, 0, a.t), limited.left),
+                 term("δᵢ₊₁", hermite<Real>(0, 0, 0, 1, a.t), limited.right)};
     sum.total = static_cast<double>(value<I>(q, a));
-    sum.slopes =
-        CubicSlopes{static_cast<double>(d.D), static_cast<double>(d.left), static_cast<double>(d.right),
-                    static_cast<double>(limited.left), static_cast<double>(limited.right)};
+    sum.units = "slopes δ per cell";
+    sum.slopes = CubicSlopes{static_cast<double>(d.D),           static_cast<double>(d.left),
+                             static_cast<double>(d.right),       static_cast<double>(limited.left),
+                             static_cast<double>(limited.right), equations("3.15", I::info.source)};
     return sum;
 }
 
@@ -102,7 +103,7 @@ class Patch {
 
     Sum weighted(const std::vector<KernelNode>& nodes) const {
         Sum sum;
-        sum.equation = equations("3.6–3.7", I::info.source);
+        sum.equation = equations(single_row() ? "3.6" : "3.6–3.7", I::info.source);
         for (const KernelNode& node : nodes)
             sum.terms.push_back({name(node.i, node.j), *node.weight, node.value});
         return sum;

@@ -58,7 +58,8 @@ class Writer {
     }
 
     void write(const BaseStep& step) {
-        line(1, step.title + ": " + point(step.path.start) + " → " + point(step.path.end));
+        line(1,
+             step.title + ": " + point(step.path.start) + " → " + point(step.path.end) + ", in length units");
         for (const Path::Stage& stage : step.path.stages) {
             line(2, "velocity at " + point(stage.at) + " is " + point({stage.u, stage.v}));
         }
@@ -82,7 +83,8 @@ class Writer {
     }
 
     void write(const Sum& sum, int depth) {
-        line(depth, sum.title + " = " + number(sum.value()) + "  [" + sum.equation + "]");
+        line(depth, sum.title + " = " + number(sum.value()) + "  [" + sum.equation + "]" +
+                        (sum.units.empty() ? "" : "; " + sum.units));
         if (sum.slopes) write(*sum.slopes, depth + 1);
         for (const Term& term : sum.terms) {
             line(depth + 1, column(term.weight) + " ×" + column(term.value) + " =" + column(term.product()) +
@@ -94,13 +96,13 @@ class Writer {
     }
 
     void write(const CubicSlopes& s, int depth) {
-        line(depth, "D = " + number(s.D) + ", δ_i = " + number(s.left) + ", δ_i+1 = " + number(s.right) +
+        line(depth, "D = " + number(s.D) + ", δᵢ = " + number(s.left) + ", δᵢ₊₁ = " + number(s.right) +
                         (s.D != 0 ? ", α = " + number(s.alpha()) + ", β = " + number(s.beta()) : ""));
         if (!s.acted()) return;
-        line(depth, "limited: δ_i = " + number(s.limited_left) + ", δ_i+1 = " + number(s.limited_right) +
+        line(depth, "limited: δᵢ = " + number(s.limited_left) + ", δᵢ₊₁ = " + number(s.limited_right) +
                         (s.D != 0 ? ", α = " + number(s.limited_alpha()) + ", β = " + number(s.limited_beta())
                                   : "") +
-                        "  [thesis eq. 3.15–3.22]");
+                        "  [" + s.equation + "]");
     }
 
     void write(const Cut& cut, int depth) {

@@ -289,19 +289,57 @@ TEST(Inspect, ShowsSlopesThatFritschCarlsonLimits) {
 }
 
 TEST(Inspect, NamesTheEquationsOfTheThesis) {
-    const auto equation = [](const char* advector) {
+    const auto sum = [](const char* advector, const char* base = "semi-lagrangian", int rows = 9) {
         SchemeSet schemes;
         schemes.advector = *Advectors::find(advector);
-        const Step1 step({9, 9, 1}, Sides::of<Periodic>(), schemes, 0, 0.5, 3);
+        schemes.base = *Bases::find(base);
+        const Step1 step({9, rows, 1}, Sides::of<Periodic>(), schemes, 0, 0.5, 3);
         Pool pool(1);
-        return explain(step.last(), Quantity::Density, 4, 4, pool).sum.equation;
+        return explain(step.last(), Quantity::Density, 4, rows / 2, pool).sum;
     };
+    const auto equation = [&](const char* advector) { return sum(advector).equation; };
     EXPECT_EQ(equation("semi-lagrangian"), "thesis eq. 3.6–3.7, 3.11");
     EXPECT_EQ(equation("maccormack"), "thesis alg. 3.3, eq. 3.26");
-    EXPECT_EQ(equation("bfecc"), "thesis alg. 3.2");
+    EXPECT_EQ(equation("bfecc"), "thesis alg. 3.2, step 5");
     EXPECT_EQ(equation("aslam"), "thesis alg. 4.1, eq. 4.1–4.3");
     EXPECT_EQ(equation("aslam-0"), "thesis eq. 5.8");
     EXPECT_EQ(equation("aslam-bilinear"), "after thesis sec. 6.1");
+    EXPECT_EQ(sum("semi-lagrangian", "semi-lagrangian", 1).equation, "thesis eq. 3.6, 3.11") << "of one axis";
+    // Predictor-correctors over ASLAM: its update, and the clamp that the thesis tries out.
+    EXPECT_EQ(sum("maccormack", "aslam").parts[0].equation, "thesis alg. 4.1, eq. 4.1–4.3");
+    EXPECT_EQ(sum("maccormack", "aslam-clamped").parts[0].equation, "thesis alg. 4.1, eq. 4.1–4.3");
+    EXPECT_EQ(sum("maccormack", "aslam-clamped").parts[0].cut->equation, "thesis sec. 5.5");
+    // Clamps.
+    EXPECT_EQ(sum("maccormack").cut->equation, "thesis sec. 3.2, eq. 3.8");
+    EXPECT_EQ(sum("aslam").cut->equation, "thesis ch. 4, after eq. 4.3");
+    EXPECT_EQ(sum("maccormack", "aslam").cut->equation, "thesis sec. 3.2, eq. 3.8");
+    // A particle's guess is the bracket of the update; without gradients, what it reads.
+    EXPECT_EQ(sum("aslam").parts[1].equation, "thesis eq. 4.1, its bracket; q_s and ∂q: eq. 4.2–4.3");
+    EXPECT_EQ(sum("aslam-0").parts[1].equation, "thesis eq. 4.3");
+    EXPECT_EQ(sum("aslam-bilinear").parts[1].equation,
+              "thesis eq. 4.1, its bracket; q_s and ∂q: eq. 4.2–4.3; c_xy after sec. 6.1");
+}
+
+TEST(Inspect, NamesTheSourceOfEachLimitOfSlopes) {
+    const auto told = [](const char* interpolation) {
+        SchemeSet schemes;
+        schemes.interpolation = *Interpolations::find(interpolation);
+        Step1 step({8, 1, 1}, Sides::of<Periodic>(), schemes, 0, 0, 1);
+        // A dent beside a steep step: δ_i has the wrong sign, δ_{i+1} is beyond 3 D.
+        const Real samples[] = {0, 2, 1, 1.5F, 10, 10, 10, 0};
+        std::copy(std::begin(samples), std::end(samples), step.density.row(0));
+        step.boundary.fill(step.density);
+        step.velocity.u.set_all(Real(-0.5));
+        Pool pool(1);
+        const Explanation e = explain(step.last(), Quantity::Density, 2, 0, pool);
+        EXPECT_TRUE(e.sum.slopes->acted()) << interpolation;
+        EXPECT_NE(write_text(e).find("limited: "), std::string::npos);
+        EXPECT_NE(write_text(e).find("[" + e.sum.slopes->equation + "]"), std::string::npos);
+        return e.sum.slopes->equation;
+    };
+    EXPECT_EQ(told("monotone-catmull-rom"), "thesis eq. 3.15, sec. A.1");
+    EXPECT_EQ(told("fritsch-carlson"), "thesis eq. 3.15, 3.20–3.23");
+    EXPECT_EQ(told("fritsch-carlson-square"), "thesis eq. 3.15, sec. A.3");
 }
 
 TEST(Inspect, KnowsWallsAndWhatHoldsNoValueOfItsOwn) {

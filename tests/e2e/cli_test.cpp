@@ -63,8 +63,9 @@ TEST_F(CommandLine, ExplainsAValue) {
     const Outcome o = whorl("explain plume --at 30 --cell 16,2 --set resolution=32 --set advector=aslam");
     EXPECT_EQ(o.code, 0) << o.out;
     for (const char* words : {"Density at (16, 2): ", "back along the flow: (20.625, 3.125) → (",
-                              "25 particles", "x_s (+0.5, -0.25)", "thesis alg. 4.1, eq. 4.1–4.3",
-                              "thesis eq. 4.2–4.3", "limiter: Clamp", "limiters acted at "}) {
+                              "25 particles", "x_s (+0.5, -0.25)", "in length units",
+                              "x_s from the node, in cells", "thesis alg. 4.1, eq. 4.1–4.3",
+                              "thesis eq. 4.1, its bracket", "limiter: Clamp", "limiters acted at "}) {
         EXPECT_NE(o.out.find(words), std::string::npos) << words << "\n" << o.out;
     }
     const Outcome lanes =

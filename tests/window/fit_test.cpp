@@ -177,6 +177,29 @@ TEST_P(FitLessons, ListAndEveryStep) {
     }
 }
 
+/// All of the inspector, which scrolls, in the column that lessons leave it.
+class FitInspector : public FitTall {};
+
+TEST_P(FitInspector, BesideALesson) {
+    for (const char* experiment_name : {"translation-1d", "plume"}) {
+        for (const char* schemes : {"advector=semi-lagrangian", "advector=maccormack", "advector=bfecc",
+                                    "advector=aslam", "interpolation=fritsch-carlson"}) {
+            Recording run = run_of(scene_of(experiment(experiment_name)), std::vector<LaneSetup>(1));
+            set_parameter(run.setup.scene, schemes);
+            run.step = 20;
+            LanesWindow window(ui_, run);
+            LessonWalk walk;
+            window.view.lessons = window.view.labs.inspector.open = true;
+            window.view.labs.inspector.pick({11.3, 1.25});
+            window.instead = [&](PanelContext& context) { draw_lesson_panel(context, walk); };
+            ASSERT_TRUE(window.eventually([&] { return window.remote.snapshot().explanation.has_value(); }));
+            for (int frame = 0; frame < 3; ++frame) window.frame();
+            expect_whole(std::string(experiment_name) + " " + schemes, names_in(window));
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Screens, FitInspector, testing::ValuesIn(screens));
 INSTANTIATE_TEST_SUITE_P(Screens, FitLessons, testing::ValuesIn(screens));
 
 }  // namespace

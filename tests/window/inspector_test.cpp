@@ -4,6 +4,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
+#include <imgui_internal.h>
 
 #include "app/inspector/overlay.h"
 #include "app/window/inspect_tool.h"
@@ -190,7 +191,7 @@ TEST(Inspector, WindowsAroundNodesStayInTheDomain) {
         e.at = corner;
         e.steps[0].path.start = corner;
         e.steps[0].path.end = {20, 10};
-        const ViewWindow window = window_around(e, {40, 20}, 0.5);
+        const ViewWindow window = window_around(e, {}, {40, 20}, 0.5);
         EXPECT_GE(window.low.x, 0);
         EXPECT_GE(window.low.y, 0);
         EXPECT_LE(window.high.x, 1);
@@ -199,7 +200,32 @@ TEST(Inspector, WindowsAroundNodesStayInTheDomain) {
     }
     // Ways that leave a periodic domain: all of it.
     e.steps[0].path.end = {-100, 300};
-    EXPECT_TRUE(window_around(e, {40, 20}, 0.5).whole());
+    EXPECT_TRUE(window_around(e, {}, {40, 20}, 0.5).whole());
+}
+
+TEST(Inspector, WindowsAroundNodesAreHalfFilled) {
+    Explanation e, wide;
+    e.at = {20.25, 10.25};
+    e.steps.resize(1);
+    e.steps[0].path.start = e.at;
+    e.steps[0].path.end = {23.5, 10.25};
+    wide = e;
+    const auto cells = [](const ViewWindow& window) {
+        return static_cast<double>(window.high.y - window.low.y) * 20 / 0.5;
+    };
+    // From the cell's left edge to the way's end, 7 cells, in a window of 28 × 14: half of the longer side
+    // would be less than what the closest view shows.
+    EXPECT_NEAR(cells(window_around(e, {}, {40, 20}, 0.5)), 7, 1e-4);
+    e.steps[0].path.end = {20.25, 13.5};
+    EXPECT_NEAR(cells(window_around(e, {}, {40, 20}, 0.5)), 14, 1e-4) << "of the shorter side";
+    e.steps[0].path.end = e.at;
+    EXPECT_NEAR(cells(window_around(e, {}, {40, 20}, 0.5)), static_cast<double>(closest_cells), 1e-4);
+    // Another lane's 7 cells and a margin of half a cell all fit beside it.
+    const Explanation* const others[] = {&wide};
+    const ViewWindow all = window_around(e, others, {40, 20}, 0.5);
+    EXPECT_NEAR(cells(all), 4, 1e-4);
+    EXPECT_NEAR(all.low.x, 19.75 / 40, 1e-6);
+    EXPECT_NEAR(all.high.x, 23.75 / 40, 1e-6);
 }
 
 TEST(Inspector, SumsBelongToTheStepsThatAreDrawn) {
@@ -241,6 +267,72 @@ TEST(Inspector, CurvesAreInspectedToo) {
                                in.window.names, in.window.hover, in.window.trace, in.window.slabs})
                   .size(),
               4u);
+}
+
+TEST(Inspector, AClickAsksTheLaneWhoseCurveIsNearest) {
+    // After some steps the bump of two of them is lower than that of the third.
+    Recording recording = stepped(
+        "translation-1d", {lane("advector", "semi-lagrangian"), LaneSetup{}, lane("advector", "maccormack")});
+    recording.setup.lanes[1] = recording.setup.lanes[0];
+    recording.step = 60;
+    HeadlessUi ui(1280, 800, 1);
+    LanesWindow window(ui, recording);
+    ASSERT_TRUE(window.eventually([&] { return window.remote.session().step == 60; }));
+    Inspector& inspector = window.view.labs.inspector;
+    inspector.open = true;
+    window.frame();
+    constexpr std::size_t low = 0, high = 2;
+    const auto row = [&](std::size_t k) { return window.remote.session().lanes[k].density.row(0); };
+    const int width = window.remote.snapshot().grid.nx;
+    const auto peak = std::max_element(row(high), row(high) + width) - row(high);
+    ASSERT_GT(row(high)[peak], row(low)[peak] + 0.2f);
+    // Which sample is under the pointer is the plot's own business: go along until it is the peak.
+    const Layout& at = window.layout;
+    float x = at.field.x;
+    while (!inspector.picked || std::abs(inspector.node.at.x / window.remote.snapshot().grid.h - 0.5 -
+                                         static_cast<double>(peak)) > 0.1) {
+        x += 4;
+        ASSERT_LT(x, at.field.x + at.field.width);
+        window.click({x, at.top + 0.3f * at.height});
+    }
+    // Down from above all curves, the higher one comes first, and then the lower one.
+    const auto selected = [&](float down) {
+        window.click({x, at.top + down * at.height});
+        return window.remote.selected();
+    };
+    EXPECT_EQ(selected(0.15f), high);
+    float down = 0.15f;
+    while (down < 0.9f && selected(down) == high) down += 0.02f;
+    EXPECT_EQ(window.remote.selected(), low) << "and not the one that it hides";
+    EXPECT_GT(down, 0.2f);
+    ASSERT_TRUE(window.eventually([&] {
+        const auto& e = window.remote.snapshot().explanation;
+        return e && e->i == peak;
+    }));
+    EXPECT_EQ(window.remote.snapshot().explanation->now, static_cast<double>(row(low)[peak]));
+    // Of curves on top of each other the selected one stays so.
+    window.remote.select(1);
+    window.frame();
+    EXPECT_EQ(selected(down), 1u);
+}
+
+TEST(Inspector, MakesWayForLessons) {
+    Inspected in(stepped("plume"), 1024, 768);
+    const auto left = [] { return ImGui::FindWindowByName("Inspector")->Pos.x; };
+    in.inspector.open = true;
+    for (int k = 0; k < 3; ++k) in.window.frame();
+    EXPECT_EQ(left(), in.window.layout.measures.x);
+    // Opened later, lessons have that column all the same.
+    in.window.view.lessons = true;
+    for (int k = 0; k < 3; ++k) in.window.frame();
+    EXPECT_EQ(left(), in.window.layout.controls.x);
+    in.window.view.lessons = false;
+    for (int k = 0; k < 3; ++k) in.window.frame();
+    EXPECT_EQ(left(), in.window.layout.measures.x);
+    // Who has put it elsewhere finds it there.
+    ImGui::SetWindowPos("Inspector", {300, 40});
+    for (int k = 0; k < 3; ++k) in.window.frame();
+    EXPECT_EQ(left(), 300);
 }
 
 TEST(Inspector, SaysWhyThereIsNothingToTell) {

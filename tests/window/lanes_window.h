@@ -37,7 +37,8 @@ struct LanesWindow {
         const ImVec2 size = ImGui::GetIO().DisplaySize;
         layout = lay_out(ui.theme, field_shape(session, view), size.x, size.y,
                          view.lessons || view.labs.inspector.open);
-        view.labs.side = {layout.measures.x, layout.measures.width};
+        const Column& side = inspector_column(layout, view.lessons);
+        view.labs.side = {side.x, side.width, view.lessons};
         ui.frame([&] {
             column("controls", layout.controls, [&] { draw_control_column(context); });
             ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
