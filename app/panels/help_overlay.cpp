@@ -24,7 +24,7 @@ constexpr Row mouse[] = {
     {"Rest on a control", "what it does, and where it comes from"},
     {"Ctrl+click a slider", "type a value"},
     {"Right-click a control", "back to the value of all lanes"},
-    {"Drop a file", "open a scene, a run or a picture of Whorl"},
+    {"Drop a file", "open a scene, a run, a lesson or a picture"},
 };
 void rows(const Theme& theme, const char* title, std::span<const Row> table) {
     ImGui::PushFont(theme.bold);
