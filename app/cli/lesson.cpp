@@ -101,7 +101,9 @@ std::size_t run_steps(const Lesson& lesson, const LessonArguments& arguments, Po
             if (!arguments.check) break;
             const double value = run.measure(claim);
             const bool holds = claim.holds(value);
-            std::printf("%s  %s  %s = %s  (%s)\n", holds ? "ok   " : "WRONG", place.c_str(),
+            const std::string line = lesson.key + ":" + std::to_string(claim.line) + ":" +
+                                     std::to_string(claim.column) + ": step " + std::to_string(k + 1);
+            std::printf("%s  %s: %s = %s  (%s)\n", holds ? "ok   " : "WRONG", line.c_str(),
                         describe(claim, step.recording.setup).c_str(), figure(value, 6).c_str(),
                         bounds(claim).c_str());
             wrong += holds ? 0 : 1;

@@ -37,6 +37,7 @@ struct Claim {
     Place place;
     std::optional<Place> over;  ///< what it is divided by
     double least, most;
+    unsigned line = 0, column = 0;  ///< where in the lesson's text it stands
 
     bool holds(double value) const { return value >= least && value <= most; }
     /// The furthest step that it needs.

@@ -1,4 +1,5 @@
 // Lessons from TOML.
+#include <algorithm>
 #include <limits>
 
 #include "app/lessons/lesson.h"
@@ -83,7 +84,9 @@ Claim read_claim(const TomlReader& reader, const table& from, const LessonStep& 
                 .place = {0, step.recording.step},
                 .over = {},
                 .least = -unlimited,
-                .most = unlimited};
+                .most = unlimited,
+                .line = from.source().begin.line,
+                .column = from.source().begin.column};
     std::optional<std::size_t> lane, over_lane;
     std::optional<long> over_step;
     std::optional<double> is, within;
@@ -120,6 +123,19 @@ Claim read_claim(const TomlReader& reader, const table& from, const LessonStep& 
     return claim;
 }
 
+/// Reads lanes, no two of one name: a claim could not say which of them it means.
+std::vector<LaneSetup> read_named_lanes(const TomlReader& reader, const node& at) {
+    std::vector<LaneSetup> lanes = read_lanes(reader, at);
+    for (std::size_t k = 0; k < lanes.size(); ++k) {
+        const auto here = lanes.begin() + static_cast<std::ptrdiff_t>(k);
+        const auto same = [&](const LaneSetup& lane) { return lane.name == here->name; };
+        if (here->name.empty() || std::none_of(lanes.begin(), here, same)) continue;
+        const table& written = *at.as_array()->get(k)->as_table();
+        reader.fail(written.get("name")->source(), "two lanes of a step are called \"" + here->name + "\"");
+    }
+    return lanes;
+}
+
 /// What a step runs: the scene first, then what it sets, then its lanes.
 void read_run(const TomlReader& reader, const table& from, LessonStep& step) {
     if (const node* at = from.get("scene")) {
@@ -145,7 +161,7 @@ void read_run(const TomlReader& reader, const table& from, LessonStep& step) {
         setup.reference = lanes.reference;
     }
     if (const node* at = from.get("lane")) {
-        setup.lanes = read_lanes(reader, *at);
+        setup.lanes = read_named_lanes(reader, *at);
         setup.reference = no_reference;
     }
     if (const node* at = from.get("reference")) setup.reference = read_reference(reader, *at);

@@ -200,11 +200,11 @@ void add_forces(Table& t) {
     t.push_back(
         value_row({"ambient", "T ambient", "degrees", "Temperature of still air.", "Fedkiw et al. eq. 4"},
                   Group::Forces, {-1000, 1000, -50, 50}, [](Scene& s) -> double& { return s.ambient; }));
-    t.push_back(value_row(
-        {"confinement", "ε  confinement", "",
-         "Vorticity confinement: spins up the vortices that are there. It does not undo dissipation.",
-         "Fedkiw et al. eq. 11-13"},
-        Group::Forces, {0, 1000, 0, 5}, [](Scene& s) -> double& { return s.confinement; }));
+    t.push_back(value_row({"confinement", "ε  confinement", "",
+                           "Vorticity confinement: a force that winds up vortices. It adds detail; it does "
+                           "not undo dissipation.",
+                           "Fedkiw et al. eq. 11-13"},
+                          Group::Forces, {0, 1000, 0, 5}, [](Scene& s) -> double& { return s.confinement; }));
 }
 
 void add_pressure(Table& t) {

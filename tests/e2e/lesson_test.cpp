@@ -53,9 +53,11 @@ TEST_F(CommandLine, ChecksWhatALessonClaims) {
     write("small.toml", small);
     const Outcome o = whorl("lesson small.toml --check");
     EXPECT_EQ(o.code, 1);
-    EXPECT_NE(o.out.find("ok     small.toml 1  L1 of plain at step 3 = 0  (at most 0)\n"), std::string::npos)
+    EXPECT_NE(o.out.find("ok     small.toml:23:1: step 1: L1 of plain at step 3 = 0  (at most 0)\n"),
+              std::string::npos)
         << o.out;
-    EXPECT_NE(o.out.find("WRONG  small.toml 1  L1 of affine at step 3 = "), std::string::npos) << o.out;
+    EXPECT_NE(o.out.find("WRONG  small.toml:27:1: step 1: L1 of affine at step 3 = "), std::string::npos)
+        << o.out;
     EXPECT_NE(o.out.find("1 of 2 claims hold\n"), std::string::npos) << o.out;
 }
 

@@ -83,6 +83,8 @@ at_most = 1
     EXPECT_EQ(s.mode, LessonMode::Wipe);
     ASSERT_EQ(s.claims.size(), 2u);
     EXPECT_EQ(s.claims[0].place, (Claim::Place{1, 30}));
+    EXPECT_EQ(std::pair(s.claims[0].line, s.claims[0].column), std::pair(24u, 1u));
+    EXPECT_EQ(std::pair(s.claims[1].line, s.claims[1].column), std::pair(29u, 1u));
     EXPECT_FALSE(s.claims[0].over);
     EXPECT_TRUE(s.claims[0].holds(2.0) && s.claims[0].holds(3.0));
     EXPECT_FALSE(s.claims[0].holds(1.9) || s.claims[0].holds(3.1) || s.claims[0].holds(std::nan("")));
@@ -170,6 +172,11 @@ TEST(LessonReader, NamesTheLineOfWhatIsWrong) {
          "l.toml:12:1: a claim about several lanes has no lane"},
         {"[[step.claim]]\nmeasure = \"L1\"\nlane = \"b\"\nat_most = 1",
          "l.toml:10:8: no lane is called \"b\""},
+        {"[[step.claim]]\nmeasure = \"L1\"\nlane = \"Δt = 1/60\"\nat_most = 1\n[[step.lane]]\nname = \"Δt = "
+         "1\"\n[[step.lane]]\nname = \"Δt = 1/6\"",
+         "l.toml:10:8: no lane is called \"Δt = 1/60\"; did you mean Δt = 1/6?"},
+        {"[[step.lane]]\nname = \"a\"\n[[step.lane]]\n[[step.lane]]\n[[step.lane]]\nname = \"a\"",
+         "l.toml:13:8: two lanes of a step are called \"a\""},
         {"[[step]]\ntext = \"b\"", "l.toml:8:1: a step has no title"},
         {"[[step]]\ntitle = \"b\"\ntext = \"\"", "l.toml:10:8: text is empty"},
         {"[[step]]\ntitle = \"b\"\ntext = 3", "l.toml:10:8: text is not a text"},
