@@ -79,7 +79,8 @@ void Timings::add(const Session& session) {
 
 void Timings::write(const std::string& file) const {
     Series series(file, names_.several() ? "lane,phase,median_ms" : "phase,median_ms");
-    for (const auto& [id, lane] : lanes_) {
+    for (const auto& entry : lanes_) {
+        const Lane& lane = entry.second;
         const auto row = [&](std::string_view phase, auto&& figure) {
             std::vector<double> values(lane.steps.size());
             std::transform(lane.steps.begin(), lane.steps.end(), values.begin(), figure);

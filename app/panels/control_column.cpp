@@ -47,6 +47,7 @@ void show(const Panel& panel) {
 void draw_control_column(PanelContext& context) {
     state_lines(context);
     ImGui::BeginChild("panels", {0, 0}, false, ImGuiWindowFlags_NoNav);  // Tab shows another lane
+    if (context.view.tour.take_back_up()) ImGui::SetScrollY(0);
     bool first = true;
     for (const Panel& panel : panels()) {
         if (context.view.tour.wanted_panel() == std::string_view(panel.title)) show(panel);

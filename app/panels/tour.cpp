@@ -68,6 +68,7 @@ void Tour::back() {
 
 void Tour::skip() {
     ended_ = ended_ || running_;
+    back_up_ = back_up_ || running_;
     running_ = false;
 }
 

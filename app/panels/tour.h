@@ -44,6 +44,9 @@ class Tour {
     /// panel that opens needs them. Empty if there is none.
     std::string_view wanted_panel() const { return running_ && unsettled_ > 0 ? stop().panel : ""; }
 
+    /// Whether the left column is to go back to its head, once after the tour: the last cards are at its foot.
+    bool take_back_up() { return std::exchange(back_up_, false); }
+
     // What its drawing leaves behind.
     void drawn(bool under_pointer);
     /// Whether the pointer is on the card: the field below it takes no strokes.
@@ -52,7 +55,7 @@ class Tour {
   private:
     void enter(std::size_t place);
 
-    bool running_ = false, ended_ = false, under_pointer_ = false;
+    bool running_ = false, ended_ = false, back_up_ = false, under_pointer_ = false;
     std::size_t place_ = 0;
     int unsettled_ = 0;
 };

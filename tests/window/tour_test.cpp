@@ -184,6 +184,21 @@ TEST(TourCard, IsUsedWithTheMouseWhileTheRunGoesOn) {
     EXPECT_FALSE(window.place.covered);
 }
 
+TEST(TourCard, LeavesTheLeftColumnAtItsHead) {
+    HeadlessUi ui(1024, 768, 1);
+    TourWindow window(ui, small_plume(1));
+    window.view.tour.begin();
+    while (!window.view.tour.last()) {
+        window.frames_of_tour(settled);
+        window.view.tour.next();
+    }
+    window.frames_of_tour(settled);
+    ASSERT_FALSE(window.trace.places().in_sight("play")) << "the last card is about what stands below";
+    window.view.tour.next();
+    window.frames_of_tour(settled);
+    EXPECT_TRUE(window.trace.places().in_sight("play"));
+}
+
 TEST(TourCard, StepsAsideForTheHelpWhichBringsItBack) {
     HeadlessUi ui(1024, 768, 1);
     TourWindow window(ui, small_plume(1));
