@@ -44,7 +44,8 @@ class Tour {
     /// panel that opens needs them. Empty if there is none.
     std::string_view wanted_panel() const { return running_ && unsettled_ > 0 ? stop().panel : ""; }
 
-    /// Whether the left column is to go back to its head, once after the tour: the last cards are at its foot.
+    /// Whether the left column is to go back to its head, once after the tour: the last cards are at its
+    /// foot.
     bool take_back_up() { return std::exchange(back_up_, false); }
 
     // What its drawing leaves behind.
