@@ -62,7 +62,7 @@ void check(const RunArguments& a) {
         throw InputError(
             "--view, --map, --range, --width, --scale, --light, --crisp and --difference are of the picture; "
             "give --picture FILE.png too");
-    if (!a.animate.empty()) check_film_name(a.animate);
+    if (!a.animate.empty()) check_film_name("--animate", a.animate);
     check_different({{"--csv", a.csv},
                      {"--timing", a.timing},
                      {"--save", a.save},

@@ -83,9 +83,9 @@ std::string size_of(int width, int height) {
 
 }  // namespace
 
-void check_film_name(const fs::path& path) {
+void check_film_name(const std::string& option, const fs::path& path) {
     if (!numbered_name(path) && kind_of(path) != ".mp4" && kind_of(path) != ".gif")
-        throw InputError("--animate = " + path.string() + ": " + film_names);
+        throw InputError(option + " = " + path.string() + ": " + film_names);
 }
 
 Film::Film(const fs::path& path, int frames_per_second)

@@ -16,8 +16,9 @@ class FilmWriter {
     virtual void finish() = 0;
 };
 
+/// @param option  that gives the name
 /// @throws InputError if no film has such a name
-void check_film_name(const std::filesystem::path& path);
+void check_film_name(const std::string& option, const std::filesystem::path& path);
 
 /// A film in the making. The name decides what is made: `NAME.mp4` and `NAME.gif` need ffmpeg; a name with
 /// one number in it, as `frames/%04d.png` (`%d`, or `%0Nd` with N from 1 to 9), makes pictures that count

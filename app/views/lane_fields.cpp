@@ -72,10 +72,10 @@ void LaneFields::measure_span(const SessionSnapshot& session) {
     least_ = 0;
     for (std::size_t k = 0; k < fields_.size(); ++k) {
         if (fields_[k] == nullptr) continue;
-        const float from = measured.centre(session.lanes[k]);
-        if (!measured.middle) least_ = std::min(least_, View::least(session.lanes[k], *fields_[k]));
-        const float far = measured.reach(session.lanes[k], *fields_[k]);
-        span = {std::min(span.lo, measured.middle ? from - far : 0), std::max(span.hi, from + far)};
+        const Range extent = measured.extent(session.lanes[k], *fields_[k]);
+        if (!measured.middle) least_ = std::min(least_, extent.lo);
+        const Range shown = measured.shown(session.lanes[k], extent);
+        span = {std::min(span.lo, shown.lo), std::max(span.hi, shown.hi)};
     }
     if (span.lo == span.hi) span = {measured.middle ? centre - 1 : 0, centre + 1};
     span_ = span;

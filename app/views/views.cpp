@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "app/plot/ticks.h"
@@ -81,35 +80,30 @@ const View& view(std::string_view key) {
     throw InputError("unknown view \"" + std::string(key) + "\"; " + suggestion(key, keys));
 }
 
-float View::reach(const Snapshot& snapshot, const Field& values) const {
+Range View::extent(const Snapshot& snapshot, const Field& values) const {
     const float from = centre(snapshot);
-    float largest = 0;
+    Range span{from, from};
     for (int j = 0; j < values.height(); ++j) {
         for (int i = 0; i < values.width(); ++i) {
             if (snapshot.solids[static_cast<std::size_t>(j) * values.width() + i] != 0) continue;
             const float value = static_cast<float>(values(i, j));
-            largest = std::max(largest, middle ? std::abs(value - from) : value);
+            span = {std::min(span.lo, value), std::max(span.hi, value)};
         }
     }
-    return largest;
+    return span;
 }
 
-float View::least(const Snapshot& snapshot, const Field& values) {
-    float least = std::numeric_limits<float>::infinity();
-    for (int j = 0; j < values.height(); ++j) {
-        for (int i = 0; i < values.width(); ++i) {
-            if (snapshot.solids[static_cast<std::size_t>(j) * values.width() + i] != 0) continue;
-            least = std::min(least, static_cast<float>(values(i, j)));
-        }
-    }
-    return least;
+Range View::shown(const Snapshot& snapshot, Range extent) const {
+    if (!middle) return {0, extent.hi};
+    const float from = centre(snapshot);
+    const float far = std::max(from - extent.lo, extent.hi - from);
+    return {from - far, from + far};
 }
 
 Range View::automatic_range(const Snapshot& snapshot, const Field& values) const {
+    const Range range = shown(snapshot, extent(snapshot, values));
     const float from = centre(snapshot);
-    const float far = reach(snapshot, values);
-    const float span = far > 0 ? far : 1;
-    return {middle ? from - span : 0, from + span};
+    return range.lo < range.hi ? range : Range{middle ? from - 1 : 0, from + 1};
 }
 
 void take_shown(Session& session, const View& view, const SessionSnapshot& last, Pool& pool,

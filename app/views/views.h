@@ -30,10 +30,10 @@ struct View {
 
     /// The middle, or 0.
     float centre(const Snapshot& snapshot) const { return middle ? middle(snapshot) : 0; }
-    /// How far fluid cells get above 0, or from the middle to either side.
-    float reach(const Snapshot& snapshot, const Field& values) const;
-    /// The least value in fluid cells.
-    static float least(const Snapshot& snapshot, const Field& values);
+    /// What fluid cells span, the middle among it, or 0 where there is none.
+    Range extent(const Snapshot& snapshot, const Field& values) const;
+    /// The same as colours show it: from 0, or as far to either side of the middle.
+    Range shown(const Snapshot& snapshot, Range extent) const;
     /// The range that shows all of the field's fluid cells: from 0, or symmetric about the middle.
     Range automatic_range(const Snapshot& snapshot, const Field& values) const;
 };
