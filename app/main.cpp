@@ -9,8 +9,8 @@
 #include "app/scenes/files.h"
 #include "app/window/no_opengl.h"
 #include "app/window/window.h"
+#include "core/base/error.h"
 #include "core/io/whole_file.h"
-#include "core/scene/error.h"
 
 namespace {
 

@@ -6,8 +6,8 @@
 #include <iostream>
 
 #include "app/cli/exit_code.h"
-#include "core/scene/error.h"
-#include "core/schemes/suggest.h"
+#include "core/base/error.h"
+#include "core/base/suggest.h"
 #include "core/session/recording.h"
 
 namespace whorl::app {

@@ -7,8 +7,8 @@
 #include "app/cli/progress.h"
 #include "app/cli/verbs.h"
 #include "app/scenes/comparisons.h"
+#include "core/base/error.h"
 #include "core/io/series.h"
-#include "core/scene/error.h"
 
 namespace whorl::app {
 namespace {

@@ -5,9 +5,9 @@
 #include "app/cli/headless.h"
 #include "app/cli/progress.h"
 #include "app/cli/verbs.h"
+#include "core/base/error.h"
 #include "core/experiments/experiment.h"
 #include "core/io/series.h"
-#include "core/scene/error.h"
 
 namespace whorl::app {
 namespace {

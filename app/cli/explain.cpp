@@ -4,11 +4,11 @@
 #include "app/cli/headless.h"
 #include "app/cli/progress.h"
 #include "app/cli/verbs.h"
+#include "core/base/error.h"
+#include "core/base/suggest.h"
 #include "core/inspect/explain.h"
 #include "core/inspect/limiter_map.h"
 #include "core/inspect/text.h"
-#include "core/scene/error.h"
-#include "core/schemes/suggest.h"
 
 namespace whorl::app {
 namespace {

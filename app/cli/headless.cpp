@@ -11,13 +11,13 @@
 #include "app/scenes/presets.h"
 #include "app/views/session_sheet.h"
 #include "app/window/egl_context.h"
+#include "core/base/error.h"
+#include "core/base/suggest.h"
 #include "core/experiments/experiment.h"
 #include "core/io/png.h"
 #include "core/io/run_file.h"
 #include "core/io/whole_file.h"
-#include "core/scene/error.h"
 #include "core/scene/parameters.h"
-#include "core/schemes/suggest.h"
 
 namespace whorl::app {
 namespace {

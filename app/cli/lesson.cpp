@@ -7,8 +7,8 @@
 #include "app/cli/headless.h"
 #include "app/cli/verbs.h"
 #include "app/lessons/lesson_run.h"
-#include "app/plot/ticks.h"
-#include "core/scene/error.h"
+#include "core/base/error.h"
+#include "core/base/number.h"
 
 namespace whorl::app {
 namespace {

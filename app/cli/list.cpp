@@ -7,10 +7,10 @@
 #include "app/render/colour_map.h"
 #include "app/scenes/comparisons.h"
 #include "app/scenes/presets.h"
+#include "core/base/error.h"
+#include "core/base/suggest.h"
 #include "core/experiments/experiment.h"
-#include "core/scene/error.h"
 #include "core/scene/parameters.h"
-#include "core/schemes/suggest.h"
 
 namespace whorl::app {
 namespace {

@@ -11,9 +11,9 @@
 #include "app/cli/run_tables.h"
 #include "app/cli/verbs.h"
 #include "app/film/film.h"
-#include "app/plot/ticks.h"
+#include "core/base/error.h"
+#include "core/base/number.h"
 #include "core/io/run_file.h"
-#include "core/scene/error.h"
 
 namespace whorl::app {
 namespace {

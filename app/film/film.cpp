@@ -7,8 +7,8 @@
 #include <string>
 
 #include "app/film/ffmpeg.h"
+#include "core/base/error.h"
 #include "core/io/whole_file.h"
-#include "core/scene/error.h"
 
 namespace whorl::app {
 namespace {

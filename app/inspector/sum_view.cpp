@@ -7,8 +7,8 @@
 #include <cstdio>
 
 #include "app/panels/lesson_text.h"
-#include "app/plot/ticks.h"
 #include "app/render/text.h"
+#include "core/base/number.h"
 
 namespace whorl::app {
 namespace {

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "app/labs/between.h"
-#include "app/plot/ticks.h"
+#include "core/base/number.h"
 
 namespace whorl::app {
 namespace {

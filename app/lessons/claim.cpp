@@ -3,9 +3,9 @@
 #include <cmath>
 #include <vector>
 
-#include "app/plot/ticks.h"
-#include "core/scene/error.h"
-#include "core/schemes/suggest.h"
+#include "core/base/error.h"
+#include "core/base/number.h"
+#include "core/base/suggest.h"
 
 namespace whorl::app {
 

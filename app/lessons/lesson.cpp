@@ -1,8 +1,8 @@
 #include "app/lessons/lesson.h"
 
 #include "app/scenes/files.h"
-#include "core/scene/error.h"
-#include "core/schemes/suggest.h"
+#include "core/base/error.h"
+#include "core/base/suggest.h"
 #include "lesson_texts.h"  // made by CMake from app/lessons/*.toml
 
 namespace whorl::app {

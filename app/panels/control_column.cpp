@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "app/panels/widgets.h"
-#include "app/plot/ticks.h"
+#include "core/base/number.h"
 
 namespace whorl::app {
 namespace {

@@ -8,7 +8,7 @@
 #include "app/panels/widgets.h"
 #include "app/render/text.h"
 #include "app/scenes/comparisons.h"
-#include "core/scene/error.h"
+#include "core/base/error.h"
 
 namespace whorl::app {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "app/panels/applicability.h"
 #include "app/panels/widgets.h"
-#include "app/plot/ticks.h"
+#include "core/base/number.h"
 
 namespace whorl::app {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "app/panels/parameter_control.h"
 #include "app/panels/widgets.h"
-#include "app/plot/ticks.h"
+#include "core/base/number.h"
 #include "core/pressure/solver.h"
 
 namespace whorl::app {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "core/scene/error.h"
+#include "core/base/error.h"
 
 namespace whorl::app {
 namespace {

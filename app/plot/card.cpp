@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/render/text.h"
+#include "core/base/number.h"
 
 namespace whorl::app {
 namespace {

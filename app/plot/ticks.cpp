@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/base/number.h"
+
 namespace whorl::app {
 namespace {
 
@@ -18,33 +20,9 @@ double round_step(double rough) {
     return power * (part < 1.5 ? 1.0 : part < 3.5 ? 2.0 : part < 7.5 ? 5.0 : 10.0);
 }
 
-/// Takes the "+0" out of 1e+05 and the "0" out of 1e-05.
-std::string short_exponent(std::string text) {
-    const std::size_t e = text.find('e');
-    if (e == std::string::npos) return text;
-    std::size_t digits = e + 1;
-    if (text[digits] == '+') {
-        text.erase(digits, 1);
-    } else {
-        ++digits;
-    }
-    while (digits + 1 < text.size() && text[digits] == '0') text.erase(digits, 1);
-    return text;
-}
-
 std::string print(const char* format, int precision, double value) {
     char text[64];
     std::snprintf(text, sizeof text, format, precision, value);
-    return text;
-}
-
-std::string spelt(double value, const char* format, int digits) {
-    if (std::isnan(value)) return "NaN";
-    if (std::isinf(value)) return value > 0 ? "∞" : "−∞";
-    if (value == 0.0) return "0";
-    std::string text = short_exponent(print(format, digits, value));
-    if (text.back() == '.') text.pop_back();
-    if (text.front() == '-') text = "−" + text.substr(1);
     return text;
 }
 
@@ -94,14 +72,6 @@ std::string tick_label(double value, const Ticks& ticks) {
     if (value == 0.0) return "0";
     const double digits = std::floor(std::log10(largest)) - std::floor(std::log10(ticks.step) + slack);
     return short_exponent(print("%.*e", std::clamp(static_cast<int>(digits), 0, 9), value));
-}
-
-std::string figure(double value, int digits) {
-    return spelt(value, "%.*g", digits);
-}
-
-std::string reading(double value) {
-    return spelt(value, "%#.*g", 4);
 }
 
 }  // namespace whorl::app

@@ -23,11 +23,4 @@ Ticks log_ticks(double lo, double hi, int target);
 /// A tick's number: as many decimals as its step needs, or like 2.5e-7 where that gets long.
 std::string tick_label(double value, const Ticks& ticks);
 
-/// A value to be read: `digits` significant digits without trailing zeros, a real minus sign, "not a number"
-/// spelt "NaN".
-std::string figure(double value, int digits = 4);
-
-/// A value that changes while it is read: always four significant digits, so that it keeps its width.
-std::string reading(double value);
-
 }  // namespace whorl::app

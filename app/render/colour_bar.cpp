@@ -7,6 +7,7 @@
 
 #include "app/plot/ticks.h"
 #include "app/render/text.h"
+#include "core/base/number.h"
 
 namespace whorl::app {
 namespace {

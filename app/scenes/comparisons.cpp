@@ -2,8 +2,8 @@
 
 #include "app/scenes/files.h"
 #include "comparison_texts.h"  // made by CMake from app/scenes/comparisons/*.toml
-#include "core/scene/error.h"
-#include "core/schemes/suggest.h"
+#include "core/base/error.h"
+#include "core/base/suggest.h"
 
 namespace whorl::app {
 

@@ -1,8 +1,8 @@
 #include "app/scenes/files.h"
 
+#include "core/base/error.h"
 #include "core/io/png.h"
 #include "core/io/run_file.h"
-#include "core/scene/error.h"
 
 namespace whorl::app {
 

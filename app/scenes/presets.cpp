@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "app/scenes/files.h"
+#include "core/base/error.h"
+#include "core/base/suggest.h"
 #include "core/experiments/experiment.h"
 #include "core/io/run_file.h"
-#include "core/scene/error.h"
-#include "core/schemes/suggest.h"
 #include "scenes.h"  // made by CMake from app/scenes/*.toml
 
 namespace whorl::app {

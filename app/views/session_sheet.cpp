@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "app/plot/ticks.h"
 #include "app/views/lane_names.h"
+#include "core/base/number.h"
 
 namespace whorl::app {
 namespace {

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <vector>
 
-#include "app/plot/ticks.h"
+#include "core/base/error.h"
+#include "core/base/number.h"
+#include "core/base/suggest.h"
 #include "core/experiments/experiment.h"
-#include "core/scene/error.h"
-#include "core/schemes/suggest.h"
 
 namespace whorl::app {
 namespace {

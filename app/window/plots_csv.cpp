@@ -1,7 +1,6 @@
 #include "app/window/plots_csv.h"
 
-#include <cmath>
-#include <cstdio>
+#include "core/base/csv.h"
 
 namespace whorl::app {
 namespace {
@@ -32,21 +31,9 @@ constexpr Column columns[] = {{"density_percent", Track::DensityPercent},
                               {"limited_velocity", Track::LimitedVelocity},
                               {"step_ms", Track::TotalMs}};
 
-/// As CSV quotes what may hold commas.
-std::string quoted(const std::string& title) {
-    std::string out = "\"";
-    for (const char c : title) {
-        if (c == '"') out += '"';
-        out += c;
-    }
-    return out + "\"";
-}
-
-void add_number(std::string& out, float value) {
-    if (!std::isfinite(value)) return;
-    char text[32];
-    std::snprintf(text, sizeof text, "%.7g", static_cast<double>(value));
-    out += text;
+/// Curves are kept in single precision.
+std::string number(float value) {
+    return csv_number(static_cast<double>(value), 7);
 }
 
 }  // namespace
@@ -57,14 +44,13 @@ std::string plots_csv(const std::vector<CsvLane>& lanes) {
     out += '\n';
     for (std::size_t k = 0; k < lanes.size(); ++k) {
         const LaneHistory& lane = lanes[k].history;
-        const std::string name = "," + std::to_string(k + 1) + "," + quoted(lanes[k].title);
+        const std::string name = "," + std::to_string(k + 1) + "," + csv_text(lanes[k].title);
         for (std::size_t row = 0; row < lane.steps.size(); ++row) {
             out += std::to_string(static_cast<long>(lane.steps[row])) + ",";
-            add_number(out, lane.of(Track::Time)[row]);
+            out += number(lane.of(Track::Time)[row]);
             out += name;
             for (const Column& column : columns) {
-                out += ',';
-                add_number(out, lane.of(column.track)[row]);
+                out += ',' + number(lane.of(column.track)[row]);
             }
             out += '\n';
         }

@@ -8,6 +8,8 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "core/base/number.h"
+
 namespace whorl::app {
 namespace {
 
@@ -25,9 +27,7 @@ std::string quoted(std::string_view text) {
 /// JSON knows no NaN.
 std::string number(double value) {
     if (!std::isfinite(value)) return "null";
-    char buffer[32];
-    std::snprintf(buffer, sizeof buffer, "%.6g", value);
-    return buffer;
+    return significant(value, 6);
 }
 
 /// ∫ρ over the fluid.

@@ -2,9 +2,9 @@
 #include <array>
 #include <vector>
 
+#include "core/base/error.h"
+#include "core/base/suggest.h"
 #include "core/experiments/experiment.h"
-#include "core/scene/error.h"
-#include "core/schemes/suggest.h"
 
 namespace whorl {
 

@@ -4,10 +4,10 @@
 #include <iterator>
 #include <tuple>
 
+#include "core/base/error.h"
 #include "core/inspect/base_step.h"
 #include "core/inspect/interpolation_sum.h"
 #include "core/inspect/walls.h"
-#include "core/scene/error.h"
 
 namespace whorl {
 namespace {

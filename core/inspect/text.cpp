@@ -4,14 +4,14 @@
 #include <cstdio>
 #include <string_view>
 
+#include "core/base/number.h"
+
 namespace whorl {
 namespace {
 
 /// Six figures; a zero has no sign.
 std::string number(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.6g", value + 0.0);
-    return text;
+    return significant(value, 6);
 }
 
 /// The same in a column.

@@ -3,9 +3,10 @@
 #include <charconv>
 #include <cmath>
 
-#include "core/scene/error.h"
+#include "core/base/error.h"
+#include "core/base/number.h"
+#include "core/base/suggest.h"
 #include "core/scene/parameters.h"
-#include "core/schemes/suggest.h"
 
 namespace whorl {
 namespace {
@@ -13,9 +14,7 @@ namespace {
 constexpr std::string_view verbs[] = {"set", "smoke", "push", "build", "erase", "lanes"};
 
 void append(std::string& line, double value) {
-    char buffer[32];
-    line += ' ';
-    line.append(buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr);
+    line += ' ' + shortest(value);
 }
 
 void append(std::string& line, const Segment& s) {

@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/error.h"
+#include "core/base/suggest.h"
 #include "core/io/toml_text.h"
-#include "core/scene/error.h"
-#include "core/schemes/suggest.h"
 
 namespace whorl {
 

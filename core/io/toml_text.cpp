@@ -1,6 +1,6 @@
 #include "core/io/toml_text.h"
 
-#include "core/scene/error.h"
+#include "core/base/error.h"
 
 namespace whorl {
 namespace {

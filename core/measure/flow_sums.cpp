@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "core/parallel/lanes.h"
-#include "core/pressure/row_bands.h"
+#include "core/parallel/row_bands.h"
 
 namespace whorl {
 namespace {

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "core/parallel/lanes.h"
-#include "core/pressure/row_bands.h"
+#include "core/parallel/row_bands.h"
 
 namespace whorl {
 namespace {

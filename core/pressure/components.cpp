@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/pressure/row_bands.h"
+#include "core/parallel/row_bands.h"
 #include "core/pressure/vector_clones.h"
 
 namespace whorl {

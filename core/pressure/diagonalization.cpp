@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "core/base/stopwatch.h"
 #include "core/pressure/gemm.h"
-#include "core/pressure/stopwatch.h"
 
 namespace whorl {
 namespace {

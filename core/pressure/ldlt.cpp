@@ -3,9 +3,9 @@
 #include <Eigen/SparseCholesky>
 #include <stdexcept>
 
+#include "core/base/stopwatch.h"
 #include "core/pressure/components.h"
 #include "core/pressure/poisson.h"
-#include "core/pressure/stopwatch.h"
 
 namespace whorl {
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "core/parallel/row_bands.h"
 #include "core/pressure/multigrid_cycle.h"
 #include "core/pressure/poisson_rows.h"
 #include "core/pressure/preconditioned_iteration.h"
-#include "core/pressure/row_bands.h"
 
 namespace whorl {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "core/parallel/row_bands.h"
 #include "core/pressure/poisson_rows.h"
-#include "core/pressure/row_bands.h"
 
 namespace whorl {
 

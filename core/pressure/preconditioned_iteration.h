@@ -5,9 +5,9 @@
 #include <cmath>
 #include <span>
 
+#include "core/base/stopwatch.h"
 #include "core/pressure/poisson.h"
 #include "core/pressure/solver.h"
-#include "core/pressure/stopwatch.h"
 
 namespace whorl {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/parallel/row_bands.h"
 #include "core/pressure/projection_rows.h"
-#include "core/pressure/row_bands.h"
 
 namespace whorl {
 namespace {

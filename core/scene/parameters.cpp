@@ -3,9 +3,10 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/base/error.h"
+#include "core/base/number.h"
+#include "core/base/suggest.h"
 #include "core/pressure/solver.h"
-#include "core/scene/error.h"
-#include "core/schemes/suggest.h"
 
 namespace whorl {
 namespace {
@@ -13,12 +14,6 @@ namespace {
 using Kind = Parameter::Kind;
 using Group = Parameter::Group;
 using Table = std::vector<Parameter>;
-
-std::string number(double value) {
-    char buffer[32];
-    const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
-    return {buffer, end};
-}
 
 // ---- rows of a kind
 // ------------------------------------------------------------------------------------------
@@ -251,7 +246,7 @@ Table make_table() {
 std::string Parameter::text(double value) const {
     if (kind == Kind::Truth) return value != 0 ? "true" : "false";
     if (kind == Kind::Choice) return std::string(choices[static_cast<std::size_t>(value)].key);
-    return number(value);
+    return shortest(value);
 }
 
 double Parameter::parse(std::string_view text) const {
@@ -272,7 +267,7 @@ double Parameter::parse(std::string_view text) const {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc{} || end != text.data() + text.size()) {
         throw InputError(key + " = \"" + std::string(text) + "\" is not a number: give one from " +
-                         number(min) + " to " + number(max));
+                         shortest(min) + " to " + shortest(max));
     }
     check(value);
     return value;
@@ -280,11 +275,11 @@ double Parameter::parse(std::string_view text) const {
 
 void Parameter::check(double value) const {
     if (!(value >= min && value <= max)) {
-        throw InputError(key + " = " + number(value) + " is out of range: " + number(min) + " to " +
-                         number(max));
+        throw InputError(key + " = " + shortest(value) + " is out of range: " + shortest(min) + " to " +
+                         shortest(max));
     }
     if (kind != Kind::Number && value != std::floor(value)) {
-        throw InputError(key + " = " + number(value) + " is not a whole number");
+        throw InputError(key + " = " + shortest(value) + " is not a whole number");
     }
 }
 

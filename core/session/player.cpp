@@ -4,7 +4,7 @@
 #include <chrono>
 #include <iterator>
 
-#include "core/scene/error.h"
+#include "core/base/error.h"
 
 namespace whorl {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/error.h"
 #include "core/scene/digest.h"
-#include "core/scene/error.h"
 #include "core/scene/parameters.h"
 
 namespace whorl {

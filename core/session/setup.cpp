@@ -1,9 +1,9 @@
 #include "core/session/setup.h"
 
 #include <algorithm>
-#include <cstdio>
 
-#include "core/scene/error.h"
+#include "core/base/error.h"
+#include "core/base/number.h"
 #include "core/scene/parameters.h"
 
 namespace whorl {
@@ -20,9 +20,7 @@ std::string words(const Parameter& p, double value) {
         return std::string(choice.label);
     }
     if (p.kind == Parameter::Kind::Truth) return p.label + (value != 0 ? ": on" : ": off");
-    char number[32];
-    std::snprintf(number, sizeof number, "%.4g", value);
-    return p.label + " = " + number;
+    return p.label + " = " + significant(value, 4);
 }
 
 bool of_one_set(const Parameter& p) {

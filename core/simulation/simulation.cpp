@@ -1,29 +1,15 @@
 #include "core/simulation/simulation.h"
 
-#include <chrono>
 #include <limits>
 #include <stdexcept>
 
+#include "core/base/error.h"
+#include "core/base/stopwatch.h"
 #include "core/forces/buoyancy.h"
 #include "core/forces/emitters.h"
-#include "core/scene/error.h"
 
 namespace whorl {
 namespace {
-
-/// Adds the time until the end of a scope to `ms`.
-class Stopwatch {
-  public:
-    explicit Stopwatch(double& ms) : ms_(ms), start_(Clock::now()) {}
-    ~Stopwatch() { ms_ += std::chrono::duration<double, std::milli>(Clock::now() - start_).count(); }
-    Stopwatch(const Stopwatch&) = delete;
-    Stopwatch& operator=(const Stopwatch&) = delete;
-
-  private:
-    using Clock = std::chrono::steady_clock;
-    double& ms_;
-    Clock::time_point start_;
-};
 
 void require_no_conflict(const Scene& scene) {
     const std::string reason = conflict(scene);
@@ -102,7 +88,7 @@ void Simulation::step() {
     measures_.ms = {};
     FlowSums flow{measures_.kinetic_energy, measures_.enstrophy};
     {
-        const Stopwatch total(measures_.ms.total);
+        const ScopeTimer total(measures_.ms.total);
         if (experiment_->flow) {
             experiment_->flow(state_.time, state_.grid(), state_.velocity);
             state_.boundary.fill(state_.velocity);
@@ -146,7 +132,7 @@ void Simulation::book(double PhaseChanges::*phase, FlowSums& flow) {
 }
 
 void Simulation::add_forces() {
-    const Stopwatch watch(measures_.ms.forces);
+    const ScopeTimer watch(measures_.ms.forces);
     apply_emitters(state_, scene_.emitters, scene_.dt);
     add_buoyancy(state_, scene_.alpha, scene_.beta, scene_.ambient, scene_.dt, *pool_);
     state_.boundary.enforce(state_.velocity);
@@ -155,7 +141,7 @@ void Simulation::add_forces() {
 }
 
 void Simulation::project() {
-    const Stopwatch watch(measures_.ms.projection);
+    const ScopeTimer watch(measures_.ms.projection);
     const ProjectionReport report =
         projection_.project(state_.velocity, scene_.dt, state_.boundary, state_.pressure, *pool_);
     measures_.divergence_before = report.divergence_before;
@@ -169,7 +155,7 @@ void Simulation::project() {
 }
 
 void Simulation::advect() {
-    const Stopwatch watch(measures_.ms.advection);
+    const ScopeTimer watch(measures_.ms.advection);
     const bool solved = experiment_->flow == nullptr;
     // Fields that move by the same schemes move together, and share what they can.
     std::array<Group, 3> groups;

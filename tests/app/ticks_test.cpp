@@ -1,6 +1,8 @@
 // Round numbers along axes.
 #include "app/plot/ticks.h"
 
+#include "core/base/number.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>

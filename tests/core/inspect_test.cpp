@@ -9,11 +9,11 @@
 #include <random>
 
 #include "core/advection/advect.h"
+#include "core/base/error.h"
 #include "core/inspect/explain.h"
 #include "core/inspect/limiter_map.h"
 #include "core/inspect/text.h"
 #include "core/inspect/walls.h"
-#include "core/scene/error.h"
 #include "core/scene/parameters.h"
 #include "core/session/player.h"
 

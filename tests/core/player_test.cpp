@@ -7,8 +7,8 @@
 #include <cmath>
 #include <thread>
 
+#include "core/base/error.h"
 #include "core/experiments/experiment.h"
-#include "core/scene/error.h"
 #include "core/scene/parameters.h"
 #include "tests/support/eventually.h"
 

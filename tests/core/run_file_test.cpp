@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/error.h"
 #include "core/experiments/experiment.h"
-#include "core/scene/error.h"
 #include "core/scene/parameters.h"
 
 namespace whorl {

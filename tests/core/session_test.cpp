@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "core/base/error.h"
 #include "core/experiments/experiment.h"
 #include "core/io/run_file.h"
 #include "core/scene/digest.h"
-#include "core/scene/error.h"
 #include "core/scene/parameters.h"
 
 namespace whorl {

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "core/scene/error.h"
+#include "core/base/error.h"
 #include "core/scene/parameters.h"
 #include "core/session/lane.h"
 

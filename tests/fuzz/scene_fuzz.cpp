@@ -1,7 +1,7 @@
 // Hostile scenes.
+#include "core/base/error.h"
 #include "core/experiments/experiment.h"
 #include "core/io/run_file.h"
-#include "core/scene/error.h"
 #include "core/scene/parameters.h"
 #include "tests/fuzz/fuzz.h"
 

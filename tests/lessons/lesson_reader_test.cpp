@@ -7,7 +7,7 @@
 
 #include "app/lessons/lesson.h"
 #include "app/scenes/comparisons.h"
-#include "core/scene/error.h"
+#include "core/base/error.h"
 
 namespace whorl::app {
 namespace {

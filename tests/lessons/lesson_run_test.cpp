@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "app/lessons/lesson_run.h"
-#include "core/scene/error.h"
+#include "core/base/error.h"
 
 namespace whorl::app {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/schemes/suggest.h"
+#include "core/base/suggest.h"
 
 #include <algorithm>
 #include <numeric>
