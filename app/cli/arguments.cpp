@@ -187,6 +187,7 @@ int refuse(const CLI::App& app, std::string reason) {
 
 }  // namespace
 
+// NOLINTNEXTLINE(readability-function-size)
 Arguments parse_arguments(int argc, char** argv) {
     CLI::App app(about, "whorl");
     app.footer(examples);

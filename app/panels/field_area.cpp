@@ -261,6 +261,7 @@ float field_width_for(const Theme& theme, const FieldShape& shape, ImVec2 room) 
            2 * theme.px(2);
 }
 
+// NOLINTNEXTLINE(readability-function-size)
 FieldPlacement draw_field_area(PanelContext& context) {
     const Theme& theme = context.theme;
     const SessionSnapshot& session = context.remote.session();

@@ -128,6 +128,7 @@ void NodeStepper::interpolate(const Stepping& from, const Places& at, NodeStep& 
     out.sum.cut->equation = "thesis eq. 3.8";
 }
 
+// NOLINTNEXTLINE(readability-function-size)
 void NodeStepper::gather(const Stepping& from, int i, int j, const Departing& node, Real direction,
                          const Places& at, NodeStep& out) const {
     using Row = std::array<Real, Carried::rows * Run::size>;

@@ -94,6 +94,7 @@ class Adoptions {
 };
 
 template <class X, class Y>
+// NOLINTNEXTLINE(readability-function-size)
 void Adoptions::find(const LevelShape& fine, const LevelShape& coarse, X&& open_x, Y&& open_y) {
     clear();
     fine_ = fine;

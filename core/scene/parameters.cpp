@@ -117,6 +117,7 @@ void add_time(Table& t) {
                                Group::Time, [](Scene& s) -> StepOrders::Id& { return s.order; }));
 }
 
+// NOLINTNEXTLINE(readability-function-size): a table
 void add_schemes(Table& t) {
     Parameter linked = value_row({"linked", "Link velocity and scalars", "",
                                   "One choice of schemes moves velocity, density and temperature alike.", ""},
