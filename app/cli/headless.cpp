@@ -5,12 +5,12 @@
 #include <cstdio>
 #include <optional>
 
-#include "app/render/picture.h"
+#include "app/figure/picture.h"
+#include "app/figure/session_sheet.h"
+#include "app/render/egl_context.h"
 #include "app/scenes/comparisons.h"
 #include "app/scenes/files.h"
 #include "app/scenes/presets.h"
-#include "app/views/session_sheet.h"
-#include "app/window/egl_context.h"
 #include "core/base/error.h"
 #include "core/base/suggest.h"
 #include "core/experiments/experiment.h"

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/cli/arguments.h"
+#include "app/figure/picture.h"
 #include "app/views/views.h"
 #include "core/session/snapshot.h"
 

@@ -6,12 +6,12 @@
 #include <utility>
 #include <vector>
 
+#include "app/charts/measure_tabs.h"
+#include "app/inspector/path_magnifier.h"
 #include "app/inspector/sum_view.h"
-#include "app/inspector/way_lens.h"
 #include "app/labs/lab_widgets.h"
-#include "app/panels/lesson_text.h"
-#include "app/panels/measure_tabs.h"
-#include "app/panels/widgets.h"
+#include "app/ui/widgets.h"
+#include "app/ui/wrapped_text.h"
 #include "core/inspect/text.h"
 
 namespace whorl::app {

@@ -5,9 +5,9 @@
 
 #include <vector>
 
-#include "app/panels/field_placement.h"
 #include "app/panels/panel.h"
 #include "app/plot/plot.h"
+#include "app/ui/field_viewports.h"
 
 namespace whorl::app {
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "app/panels/lesson_text.h"
 #include "app/render/text.h"
+#include "app/ui/wrapped_text.h"
 #include "core/base/number.h"
 
 namespace whorl::app {

@@ -6,14 +6,14 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/labs/between.h"
 #include "app/labs/canvas.h"
 #include "app/labs/data_sets.h"
+#include "app/labs/field_sampling.h"
 #include "app/labs/interval_report.h"
 #include "app/labs/lab_widgets.h"
 #include "app/labs/monotone_region.h"
-#include "app/panels/widgets.h"
 #include "app/render/text.h"
+#include "app/ui/widgets.h"
 
 namespace whorl::app {
 namespace {

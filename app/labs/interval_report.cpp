@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "app/labs/between.h"
+#include "app/labs/field_sampling.h"
 #include "core/base/number.h"
 
 namespace whorl::app {

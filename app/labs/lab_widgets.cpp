@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "app/panels/widgets.h"
 #include "app/render/text.h"
+#include "app/ui/widgets.h"
 
 namespace whorl::app {
 

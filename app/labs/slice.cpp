@@ -5,7 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "app/labs/between.h"
+#include "app/labs/field_sampling.h"
 
 namespace whorl::app {
 namespace {

@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "app/labs/lab_state.h"
-#include "app/panels/field_placement.h"
 #include "app/panels/panel.h"
+#include "app/ui/field_viewports.h"
 
 namespace whorl::app {
 

@@ -8,8 +8,8 @@
 #include "app/labs/canvas.h"
 #include "app/labs/lab_widgets.h"
 #include "app/panels/field_header.h"
-#include "app/panels/widgets.h"
 #include "app/render/text.h"
+#include "app/ui/widgets.h"
 
 namespace whorl::app {
 namespace {

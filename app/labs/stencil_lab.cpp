@@ -10,7 +10,7 @@
 #include "app/labs/canvas.h"
 #include "app/labs/lab_widgets.h"
 #include "app/labs/weight_profile.h"
-#include "app/panels/widgets.h"
+#include "app/ui/widgets.h"
 
 namespace whorl::app {
 namespace {

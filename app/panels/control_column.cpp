@@ -4,7 +4,7 @@
 
 #include <cstdio>
 
-#include "app/panels/widgets.h"
+#include "app/ui/widgets.h"
 #include "core/base/number.h"
 
 namespace whorl::app {

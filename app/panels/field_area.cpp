@@ -11,9 +11,9 @@
 #include "app/panels/curve_view.h"
 #include "app/panels/field_header.h"
 #include "app/panels/lane_tile.h"
-#include "app/panels/tiles.h"
-#include "app/panels/widgets.h"
-#include "app/render/colour_bar.h"
+#include "app/plot/colour_bar.h"
+#include "app/ui/tiles.h"
+#include "app/ui/widgets.h"
 
 namespace whorl::app {
 namespace {

@@ -1,8 +1,8 @@
 // The centre: the fields' places, titles, colour bar and what lies over them.
 #pragma once
 
-#include "app/panels/field_placement.h"
 #include "app/panels/panel.h"
+#include "app/ui/field_viewports.h"
 
 namespace whorl::app {
 

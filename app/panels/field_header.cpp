@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "app/panels/widgets.h"
+#include "app/ui/widgets.h"
 #include "core/base/number.h"
 
 namespace whorl::app {

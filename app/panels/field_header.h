@@ -1,8 +1,8 @@
 // The lines above the fields: what is shown, the value under the pointer, and how lanes are compared.
 #pragma once
 
-#include "app/panels/field_placement.h"
 #include "app/panels/panel.h"
+#include "app/ui/field_viewports.h"
 
 namespace whorl::app {
 

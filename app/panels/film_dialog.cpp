@@ -7,7 +7,7 @@
 
 #include "app/film/child.h"
 #include "app/panels/dialogs.h"
-#include "app/panels/widgets.h"
+#include "app/ui/widgets.h"
 
 namespace whorl::app {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <imgui.h>
 
-#include "app/panels/widgets.h"
 #include "app/scenes/presets.h"
+#include "app/ui/widgets.h"
 
 namespace whorl::app {
 namespace {

@@ -1,8 +1,8 @@
 // What belongs to the field of one of several lanes: its title, frame, and why it has stopped.
 #pragma once
 
-#include "app/panels/field_placement.h"
 #include "app/panels/panel.h"
+#include "app/ui/field_viewports.h"
 
 namespace whorl::app {
 

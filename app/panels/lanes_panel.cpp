@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "app/panels/panel.h"
-#include "app/panels/widgets.h"
 #include "app/render/text.h"
 #include "app/scenes/comparisons.h"
+#include "app/ui/widgets.h"
 #include "core/base/error.h"
 
 namespace whorl::app {

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "app/panels/dialogs.h"
-#include "app/panels/widgets.h"
 #include "app/scenes/presets.h"
+#include "app/ui/widgets.h"
 
 namespace whorl::app {
 namespace {

@@ -3,18 +3,18 @@
 
 #include <span>
 
-#include "app/panels/file_desk.h"
-#include "app/panels/frame_log.h"
-#include "app/panels/history.h"
-#include "app/panels/hover_help.h"
-#include "app/panels/measure_view.h"
-#include "app/panels/remote.h"
-#include "app/panels/slabs.h"
-#include "app/panels/view_state.h"
+#include "app/charts/measure_view.h"
 #include "app/render/theme.h"
+#include "app/run/file_requests.h"
+#include "app/run/history.h"
+#include "app/run/session_client.h"
+#include "app/run/view_settings.h"
+#include "app/ui/background_rects.h"
+#include "app/ui/event_log.h"
+#include "app/ui/frame_log.h"
+#include "app/ui/tooltip.h"
 #include "app/views/lane_fields.h"
 #include "app/views/lane_names.h"
-#include "app/window/trace.h"
 
 namespace whorl::app {
 

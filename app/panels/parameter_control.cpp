@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/panels/applicability.h"
-#include "app/panels/widgets.h"
+#include "app/ui/widgets.h"
 #include "core/base/number.h"
 
 namespace whorl::app {

@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "app/panels/panel.h"
-#include "app/panels/widgets.h"
+#include "app/ui/widgets.h"
 
 namespace whorl::app {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/panels/parameter_control.h"
-#include "app/panels/widgets.h"
+#include "app/ui/widgets.h"
 #include "core/base/number.h"
 #include "core/pressure/solver.h"
 

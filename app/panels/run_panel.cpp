@@ -6,8 +6,8 @@
 
 #include "app/panels/panel.h"
 #include "app/panels/timeline.h"
-#include "app/panels/widgets.h"
 #include "app/scenes/presets.h"
+#include "app/ui/widgets.h"
 #include "core/experiments/experiment.h"
 
 namespace whorl::app {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "app/panels/parameter_control.h"
-#include "app/panels/widgets.h"
+#include "app/ui/widgets.h"
 
 namespace whorl::app {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "app/panels/widgets.h"
+#include "app/ui/widgets.h"
 
 namespace whorl::app {
 namespace {

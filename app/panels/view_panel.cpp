@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "app/panels/panel.h"
-#include "app/panels/widgets.h"
+#include "app/ui/widgets.h"
 #include "core/experiments/experiment.h"
 
 namespace whorl::app {

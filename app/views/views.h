@@ -5,7 +5,6 @@
 #include <string>
 #include <string_view>
 
-#include "app/render/picture.h"
 #include "core/session/snapshot.h"
 
 namespace whorl::app {

@@ -4,13 +4,13 @@
 #include <deque>
 #include <vector>
 
-#include "app/panels/field_placement.h"
-#include "app/panels/slabs.h"
-#include "app/panels/view_state.h"
 #include "app/render/arrows.h"
 #include "app/render/field_view.h"
 #include "app/render/solids.h"
 #include "app/render/theme.h"
+#include "app/run/view_settings.h"
+#include "app/ui/background_rects.h"
+#include "app/ui/field_viewports.h"
 #include "app/views/lane_fields.h"
 
 namespace whorl::app {

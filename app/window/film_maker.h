@@ -8,7 +8,7 @@
 #include <string>
 #include <thread>
 
-#include "app/panels/file_desk.h"
+#include "app/run/file_requests.h"
 #include "core/session/recording.h"
 
 namespace whorl::app {

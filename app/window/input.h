@@ -1,24 +1,13 @@
-// What mouse and keyboard do, every event of it, in order.
+// Collects what mouse and keyboard do, from GLFW.
 #pragma once
 
-#include <string>
 #include <vector>
+
+#include "app/ui/input_event.h"
 
 struct GLFWwindow;
 
 namespace whorl::app {
-
-/// One event. Positions are framebuffer pixels from the top left.
-struct InputEvent {
-    enum class Kind { Move, Press, Release, Wheel, Character, Key, KeyUp, Drop };
-
-    Kind kind;
-    double x = 0, y = 0;    ///< of the pointer; of the wheel its turn
-    int code = 0;           ///< mouse button, Unicode character or GLFW key
-    int mods = 0;           ///< GLFW modifier bits
-    bool repeated = false;  ///< a key that is held
-    std::string path{};     ///< of a file that was dropped
-};
 
 /// Collects GLFW's callbacks between two frames: ImGui looks once a frame, and would miss most positions of a
 /// quick stroke and keys tapped within a frame.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/panels/lesson_panel.h"
+#include "app/tutorial/lesson_panel.h"
 
 namespace whorl::app {
 namespace {

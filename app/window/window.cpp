@@ -1,6 +1,6 @@
 #include "app/window/window.h"
 
-#include "app/window/workbench.h"
+#include "app/window/main_window.h"
 
 namespace whorl::app {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "app/window/no_opengl.h"
+#include "app/render/no_opengl.h"
 #include "core/session/recording.h"
 
 namespace whorl::app {

@@ -1,8 +1,8 @@
 // Fields and pictures beside a window's ImGui frames.
 #include <gtest/gtest.h>
 
+#include "app/figure/picture.h"
 #include "app/render/field_view.h"
-#include "app/render/picture.h"
 #include "tests/support/headless_ui.h"
 
 namespace whorl::app {

@@ -6,9 +6,9 @@
 #include <optional>
 
 #include "app/render/arrows.h"
+#include "app/render/egl_context.h"
 #include "app/render/framebuffer.h"
 #include "app/render/solids.h"
-#include "app/window/egl_context.h"
 
 namespace whorl::app {
 namespace {

@@ -1,13 +1,13 @@
 // Sheets: where things go, what they share, and what is refused.
-#include "app/render/sheet.h"
+#include "app/figure/sheet.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <vector>
 
-#include "app/render/picture.h"
-#include "app/render/sheet_layout.h"
+#include "app/figure/picture.h"
+#include "app/figure/sheet_layout.h"
 #include "tests/support/headless_ui.h"
 
 namespace whorl::app {

@@ -4,9 +4,9 @@
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 
+#include "app/render/egl_context.h"
 #include "app/render/framebuffer.h"
 #include "app/render/theme.h"
-#include "app/window/egl_context.h"
 
 namespace whorl::app {
 

@@ -1,4 +1,4 @@
-#include "app/window/brush_tool.h"
+#include "app/tools/brush_tool.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>

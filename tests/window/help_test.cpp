@@ -7,10 +7,10 @@
 
 #include "app/panels/dialogs.h"
 #include "app/panels/help_overlay.h"
-#include "app/panels/lesson_panel.h"
-#include "app/panels/tour_card.h"
 #include "app/scenes/comparisons.h"
 #include "app/scenes/presets.h"
+#include "app/tutorial/lesson_panel.h"
+#include "app/tutorial/tour_card.h"
 #include "core/experiments/experiment.h"
 #include "tests/window/lanes_window.h"
 

@@ -1,4 +1,4 @@
-#include "app/panels/history.h"
+#include "app/run/history.h"
 
 #include <gtest/gtest.h>
 

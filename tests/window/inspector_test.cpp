@@ -6,9 +6,9 @@
 #include <gtest/gtest.h>
 #include <imgui_internal.h>
 
+#include "app/inspector/inspect_tool.h"
 #include "app/inspector/overlay.h"
-#include "app/window/inspect_tool.h"
-#include "app/window/view_tool.h"
+#include "app/tools/view_tool.h"
 #include "core/experiments/experiment.h"
 #include "core/inspect/explain.h"
 #include "core/inspect/text.h"

@@ -11,8 +11,8 @@
 #include <limits>
 #include <map>
 
-#include "app/labs/between.h"
 #include "app/labs/data_sets.h"
+#include "app/labs/field_sampling.h"
 #include "app/labs/interval_report.h"
 #include "app/labs/lab_widgets.h"
 #include "app/labs/monotone_region.h"

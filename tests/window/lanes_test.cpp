@@ -9,9 +9,9 @@
 #include <sstream>
 
 #include "app/scenes/comparisons.h"
-#include "app/window/brush_tool.h"
+#include "app/tools/brush_tool.h"
+#include "app/tools/view_tool.h"
 #include "app/window/field_painter.h"
-#include "app/window/view_tool.h"
 #include "core/experiments/experiment.h"
 #include "tests/window/lanes_window.h"
 

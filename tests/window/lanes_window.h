@@ -3,10 +3,10 @@
 
 #include <functional>
 
+#include "app/charts/measure_column.h"
 #include "app/labs/labs.h"
 #include "app/panels/control_column.h"
 #include "app/panels/field_area.h"
-#include "app/panels/measure_column.h"
 #include "app/window/layout.h"
 #include "tests/support/eventually.h"
 #include "tests/support/headless_ui.h"

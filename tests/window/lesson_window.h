@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 #include <imgui_internal.h>
 
-#include "app/panels/lesson_panel.h"
-#include "app/panels/lesson_text.h"
+#include "app/tutorial/lesson_panel.h"
+#include "app/ui/wrapped_text.h"
 #include "tests/support/eventually.h"
 #include "tests/support/headless_ui.h"
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "app/panels/measure_tabs.h"
+#include "app/charts/measure_tabs.h"
 #include "core/experiments/experiment.h"
 #include "tests/window/lanes_window.h"
 

@@ -4,7 +4,7 @@
 
 #include "app/panels/dialogs.h"
 #include "app/scenes/presets.h"
-#include "app/window/clerk.h"
+#include "app/window/file_service.h"
 #include "tests/support/cut_text.h"
 #include "tests/window/lanes_window.h"
 

@@ -7,11 +7,11 @@
 #include <set>
 #include <sstream>
 
+#include "app/charts/measure_column.h"
 #include "app/panels/control_column.h"
 #include "app/panels/dialogs.h"
 #include "app/panels/field_area.h"
 #include "app/panels/help_overlay.h"
-#include "app/panels/measure_column.h"
 #include "app/scenes/presets.h"
 #include "core/experiments/experiment.h"
 #include "tests/support/headless_ui.h"

@@ -1,4 +1,4 @@
-#include "app/window/plots_csv.h"
+#include "app/charts/plots_csv.h"
 
 #include <gtest/gtest.h>
 

@@ -10,8 +10,8 @@
 #include <limits>
 
 #include "app/labs/slice_overlay.h"
-#include "app/window/brush_tool.h"
-#include "app/window/slice_tool.h"
+#include "app/labs/slice_tool.h"
+#include "app/tools/brush_tool.h"
 #include "core/experiments/experiment.h"
 #include "tests/support/eventually.h"
 #include "tests/window/lanes_window.h"

@@ -1,5 +1,5 @@
 // The tour: its steps, where its cards go, and that it is remembered.
-#include "app/panels/tour.h"
+#include "app/tutorial/tour.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -14,9 +14,9 @@
 #include <imgui_internal.h>
 
 #include "app/panels/help_overlay.h"
-#include "app/panels/tour_card.h"
 #include "app/scenes/presets.h"
-#include "app/window/tour_memory.h"
+#include "app/tutorial/tour_card.h"
+#include "app/tutorial/tour_memory.h"
 #include "tests/window/lanes_window.h"
 
 namespace whorl::app {

@@ -1,0 +1,21 @@
+// What a person has chosen to see of the measures.
+#pragma once
+
+#include <optional>
+
+#include "app/charts/spectra.h"
+#include "app/run/history.h"
+
+namespace whorl::app {
+
+enum class MeasureTab { Plots, Spectrum, Budget, Table };
+
+struct MeasureView {
+    MeasureTab tab = MeasureTab::Plots;
+    Track norm = Track::L2;        ///< of the errors, where each lane has one curve
+    bool of_enstrophy = false;     ///< the budget's quantity, else energy
+    std::optional<double> marker;  ///< x of the plot sample under the pointer, a hairline in the others
+    Spectra spectra;
+};
+
+}  // namespace whorl::app

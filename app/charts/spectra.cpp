@@ -1,0 +1,55 @@
+#include "app/charts/spectra.h"
+
+#include <sys/resource.h>
+
+#include <chrono>
+
+namespace whorl::app {
+namespace {
+
+/// What a spectrum is made from: a copy.
+struct Flow {
+    int id;
+    Grid grid;
+    bool periodic;
+    std::vector<std::uint8_t> solids;
+    FaceVelocity velocity;
+};
+
+LaneSpectrum spectrum_of(const Flow& flow, Spectrum& worker) {
+    Boundary boundary(flow.grid, flow.periodic ? Sides::of<Periodic>() : Sides::of<Box>());
+    boundary.set_solids(flow.solids);
+    worker.compute(flow.velocity, boundary);
+    return {
+        flow.id, {worker.k().begin(), worker.k().end()}, {worker.energy().begin(), worker.energy().end()}};
+}
+
+}  // namespace
+
+void Spectra::follow(const SessionSnapshot& moment, double now) {
+    if (making_.valid()) {
+        if (making_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
+        lanes_ = making_.get();
+        step_ = asked_step_;
+    }
+    if (moment.serial == asked_ || now < since_ + period) return;
+    asked_ = moment.serial;
+    asked_step_ = moment.step;
+    since_ = now;
+    std::vector<Flow> flows;
+    for (std::size_t k = 0; k < moment.lanes.size(); ++k) {
+        const Snapshot& s = moment.lanes[k];
+        if (s.grid.dimensions() == 2)
+            flows.push_back({moment.ids[k], s.grid, s.periodic, s.solids, s.velocity});
+    }
+    while (workers_.size() < flows.size()) workers_.push_back(std::make_unique<Spectrum>());
+    making_ = std::async(std::launch::async, [this, flows = std::move(flows)] {
+        constexpr int niceness = 10;
+        setpriority(PRIO_PROCESS, 0, niceness);  // of this thread: it gives way to the window's
+        std::vector<LaneSpectrum> made;
+        for (std::size_t k = 0; k < flows.size(); ++k) made.push_back(spectrum_of(flows[k], *workers_[k]));
+        return made;
+    });
+}
+
+}  // namespace whorl::app

@@ -1,0 +1,72 @@
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "app/charts/measure_tabs.h"
+#include "app/ui/widgets.h"
+
+namespace whorl::app {
+namespace {
+
+/// Decades below the peak that are shown: what lies lower is rounding.
+constexpr double decades = 10;
+
+std::optional<Interval> range_of(const std::vector<LaneSpectrum>& lanes) {
+    double peak = 0;
+    double least = INFINITY;
+    for (const LaneSpectrum& lane : lanes) {
+        for (const float e : lane.energy) {
+            if (!(e > 0)) continue;
+            peak = std::max(peak, static_cast<double>(e));
+            least = std::min(least, static_cast<double>(e));
+        }
+    }
+    if (peak <= 0) return {};
+    return Interval{std::max(0.5 * least, peak * std::pow(10.0, -decades)), 3 * peak};
+}
+
+}  // namespace
+
+void draw_spectrum_tab(PanelContext& context) {
+    const Theme& theme = context.theme;
+    const SessionSnapshot& moment = context.remote.session();
+    Spectra& spectra = context.measures.spectra;
+    spectra.follow(moment, ImGui::GetTime());
+    std::vector<Series> series;
+    for (const LaneSpectrum& lane : spectra.lanes()) {
+        const auto place = std::find(moment.ids.begin(), moment.ids.end(), lane.id) - moment.ids.begin();
+        if (place == static_cast<std::ptrdiff_t>(moment.ids.size())) continue;  // it was removed
+        Series one{context.names.name(static_cast<std::size_t>(place)), theme.lane(static_cast<int>(place)),
+                   lane.energy};
+        one.x = lane.k;
+        series.push_back(one);
+    }
+    char title[64];
+    std::snprintf(title, sizeof title, "Energy spectrum E(k) · step %ld", spectra.step());
+    Plot plot;
+    plot.title = series.empty() ? "Energy spectrum E(k)" : title;
+    plot.legend = false;
+    plot.x_name = "k";
+    plot.x_unit = "rad/length";
+    plot.log_x = true;
+    plot.log_y = true;
+    plot.y_range = range_of(spectra.lanes());
+    plot.empty_text =
+        moment.lanes.front().grid.dimensions() == 1 ? "a line has no spectrum" : "in the making";
+    plot.size = {0, std::floor(std::min(ImGui::GetContentRegionAvail().y - theme.px(64), theme.px(460)))};
+    plot.size.y = std::max(plot.size.y, theme.px(160));
+    draw_on_card(context, plot, series);
+    context.trace.control("plot=spectrum");
+    ImGui::PushFont(theme.small);
+    ImGui::PushTextWrapPos(0);
+    text(
+        theme.palette.text_dim,
+        "How the mean of ½|u|² spreads over wave numbers, length³/time². A dissipative scheme takes the high "
+        "ones first. The slope of 2D turbulence is about k⁻³.");
+    ImGui::PopTextWrapPos();
+    ImGui::PopFont();
+}
+
+}  // namespace whorl::app

@@ -1,0 +1,52 @@
+// Work on files that no frame waits for: one piece after the other, on a thread of its own.
+#pragma once
+
+#include <chrono>
+#include <deque>
+#include <functional>
+#include <future>
+#include <string>
+#include <utility>
+
+#include "app/ui/event_log.h"
+#include "app/ui/notifications.h"
+
+namespace whorl::app {
+
+/// A piece of work, and what is said of it.
+struct Chore {
+    std::string event;                  ///< name in the trace; with "-failed" behind it if it fails
+    std::string done, failed;           ///< notices, before the result and the reason
+    std::function<std::string()> work;  ///< @return what came of it, @throws std::exception with a reason
+};
+
+class Chores {
+  public:
+    void add(Chore chore) { waiting_.push_back(std::move(chore)); }
+    bool busy() const { return doing_.valid() || !waiting_.empty(); }
+
+    /// Says what became of the last piece and begins the next; call once a frame.
+    void end_frame(Notices& notices, Trace& trace) {
+        if (doing_.valid() && doing_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
+            try {
+                const std::string result = doing_.get();
+                if (!chore_.done.empty()) notices.info(chore_.done + result);
+                trace.event(chore_.event, result);
+            } catch (const std::exception& e) {
+                notices.warn(chore_.failed + e.what());
+                trace.event(chore_.event + "-failed", e.what());
+            }
+        }
+        if (doing_.valid() || waiting_.empty()) return;
+        chore_ = std::move(waiting_.front());
+        waiting_.pop_front();
+        doing_ = std::async(std::launch::async, std::move(chore_.work));
+    }
+
+  private:
+    std::deque<Chore> waiting_;
+    Chore chore_;
+    std::future<std::string> doing_;
+};
+
+}  // namespace whorl::app

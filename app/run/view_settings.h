@@ -1,0 +1,73 @@
+// What a person has chosen to look at, apart from the run.
+#pragma once
+
+#include <map>
+
+#include "app/labs/lab_state.h"
+#include "app/render/colour_map.h"
+#include "app/render/view_window.h"
+#include "app/run/colour_range.h"
+#include "app/run/file_requests.h"
+#include "app/tutorial/tour.h"
+#include "app/views/views.h"
+
+namespace whorl::app {
+
+/// Whether a view has a field in this snapshot.
+inline bool available(const View& view, const Snapshot& snapshot) {
+    static thread_local Field scratch;
+    return view.field(snapshot, scratch) != nullptr;
+}
+
+/// How several lanes share the field's place.
+enum class Compare { SideBySide, One, Wipe };
+
+/// The name of a lane that is being typed.
+struct Renaming {
+    int id = -1;  ///< of the lane; none if negative
+    bool begun = false;
+    char text[48] = "";
+};
+
+struct ViewState {
+    const View* shown = &views().front();
+    bool difference = false;  ///< of each lane from the reference lane, in that view
+    Compare compare = Compare::SideBySide;
+    bool peek = false;    ///< where one lane is shown: the other one in its place
+    float wipe = 0.5f;    ///< where one lane ends and the other begins, part of the field's width
+    ViewWindow window{};  ///< part of the domain that is shown, of all lanes
+    std::map<const View*, const ColourMap*> maps;  ///< chosen ones; others have the view's own
+    bool crisp = false;                            ///< squares of one value each
+    bool arrows = false;                           ///< velocity over the field
+    bool count_limited = false;                    ///< the nodes that limiters change, beside the measures
+    bool help = false;                             ///< the keys are shown
+    bool lessons = false;                          ///< a lesson stands where the measures do
+    bool peeks_at_measures = false;                ///< in place of the lesson, for a while
+    ColourRange range;
+    Renaming renaming;
+    LabState labs;
+    Tour tour;
+
+    /// Whether the tour's card is drawn, and takes keys: it steps aside for the help and the dialogs.
+    bool tour_in_sight(const FileDesk& files) const { return tour.running() && !help && !files.dialog; }
+
+    /// The colours of a view, or of differences in it, which all have the same.
+    const ColourMap& map(const View& of, bool of_difference) const {
+        const View& view = coloured(of, of_difference);
+        const auto chosen = maps.find(&view);
+        return chosen != maps.end() ? *chosen->second : *find_colour_map(view.map);
+    }
+    const ColourMap& map() const { return map(*shown, difference); }
+    /// What to watch of the run.
+    Watch watch() const {
+        return {.node = labs.inspector.watched(), .limiters = count_limited || shown->of_limiters};
+    }
+    void choose(const ColourMap& map) { maps[&coloured(*shown, difference)] = &map; }
+
+  private:
+    static const View& coloured(const View& of, bool of_difference) {
+        return of_difference ? app::view("difference") : of;
+    }
+};
+
+}  // namespace whorl::app

@@ -1,0 +1,107 @@
+#include "app/tutorial/lesson_player.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+
+namespace whorl::app {
+namespace {
+
+Compare compare_of(LessonMode mode) {
+    switch (mode) {
+        case LessonMode::One:
+            return Compare::One;
+        case LessonMode::Wipe:
+            return Compare::Wipe;
+        case LessonMode::SideBySide:
+        case LessonMode::Difference:
+            break;
+    }
+    return Compare::SideBySide;
+}
+
+void look(const LessonStep& step, Remote& remote, ViewState& view) {
+    view.shown = step.view;
+    view.difference = step.mode == LessonMode::Difference;
+    view.compare = compare_of(step.mode);
+    view.window = {};
+    // The first lane, with the second as the other one.
+    if (remote.session().lanes.size() > 1) remote.select(1);
+    remote.select(0);
+}
+
+}  // namespace
+
+void LessonWalk::set_open(bool open, Remote& remote) {
+    const bool closes = open_ && !open;
+    open_ = open;
+    if (!closes) return;
+    if (kept_.keeps(remote)) left_.reset();
+    kept_.give_back(remote);
+}
+
+void LessonWalk::begin(const Lesson& lesson, Remote& remote, const ViewState& view) {
+    open_ = true;
+    lesson_ = &lesson;
+    enter(0, remote, view);
+}
+
+void LessonWalk::begin_own(std::shared_ptr<const Lesson> lesson, Remote& remote, const ViewState& view) {
+    own_ = std::move(lesson);
+    begin(*own_, remote, view);
+}
+
+void LessonWalk::next(Remote& remote, const ViewState& view) {
+    if (lesson_ != nullptr && !last()) enter(place_ + 1, remote, view);
+}
+
+void LessonWalk::back(Remote& remote, const ViewState& view) {
+    if (lesson_ != nullptr && !first()) enter(place_ - 1, remote, view);
+}
+
+const Lesson* LessonWalk::next_lesson() const {
+    const std::span<const Lesson> all = lessons();
+    const auto here = std::find_if(all.begin(), all.end(), [&](const Lesson& l) { return &l == lesson_; });
+    return here == all.end() || here + 1 == all.end() ? nullptr : &*(here + 1);
+}
+
+void LessonWalk::enter(std::size_t place, Remote& remote, const ViewState& view) {
+    place_ = place;
+    turned_ = true;
+    show(remote, view);
+}
+
+void LessonWalk::show(Remote& remote, const ViewState& view) {
+    left_ = remote.session().run;
+    kept_.load_over(step().scene, step().recording, remote, view);
+}
+
+bool LessonWalk::take(const InputEvent& event, Remote& remote, const ViewState& view) {
+    if (!open_ || lesson_ == nullptr || event.kind != InputEvent::Kind::Key) return false;
+    if (event.code != GLFW_KEY_PAGE_DOWN && event.code != GLFW_KEY_PAGE_UP) return false;
+    if (event.repeated) return true;
+    if (event.code == GLFW_KEY_PAGE_DOWN) {
+        next(remote, view);
+    } else {
+        back(remote, view);
+    }
+    return true;
+}
+
+bool LessonWalk::begun(const Remote& remote) const {
+    const SessionSnapshot& session = remote.session();
+    const Recording& recording = step().recording;
+    // Turning pages quickly, another step's run may begin in between. Commands may change a setup.
+    return session.run != *left_ && (!recording.commands.empty() || session.setup == recording.setup);
+}
+
+void LessonWalk::update(Remote& remote, ViewState& view) {
+    kept_.update(remote, view);
+    if (lesson_ == nullptr || !left_ || !begun(remote)) return;
+    // A view may have nothing to show before the step's moment.
+    look(step(), remote, view);
+    if (!remote.sought()) left_.reset();
+}
+
+}  // namespace whorl::app

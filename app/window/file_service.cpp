@@ -1,0 +1,224 @@
+#include "app/window/file_service.h"
+
+#include <chrono>
+
+#include "app/charts/measure_tabs.h"
+#include "app/charts/plots_csv.h"
+#include "app/figure/session_sheet.h"
+#include "app/lessons/lesson.h"
+#include "app/scenes/files.h"
+#include "app/scenes/presets.h"
+#include "app/tutorial/tour_memory.h"
+#include "app/window/numbered_path.h"
+#include "core/io/png.h"
+#include "core/io/run_file.h"
+#include "core/io/whole_file.h"
+
+namespace whorl::app {
+namespace {
+
+/// As the window shows it: all lanes, or one; a range that is not held is the moment's own, whether the run
+/// plays or stands.
+PictureStyle style_of(const PanelContext& context, std::vector<SheetPlot> plots) {
+    const ViewState& view = context.view;
+    PictureStyle style{.view = view.shown, .difference = view.difference};
+    if (view.compare == Compare::One) style.alone = context.remote.selected();
+    style.map = &view.map();
+    if (view.range.held()) style.range = view.range.ends();
+    style.window = view.window;
+    style.crisp = view.crisp;
+    style.light = context.files.picture.light;
+    style.arrows = view.arrows;
+    style.scale = static_cast<float>(context.files.picture.scale);
+    style.plots = std::move(plots);
+    return style;
+}
+
+constexpr const char* no_picture = "No picture: ";
+
+void warn_no_picture(PanelContext& context, const std::exception& e) {
+    context.remote.notices().warn(std::string(no_picture) + e.what());
+    context.trace.event("picture-failed", e.what());
+}
+
+constexpr const char* not_complete =
+    "the recording is full, so that it cannot bring this run back: reset to begin another one";
+
+}  // namespace
+
+void Clerk::end_frame(PanelContext& context, double now) {
+    take_wishes(context);
+    if (const std::unique_ptr<Saved> saved = context.remote.take_saved())
+        serve(context, std::move(*saved), now);
+    paint(context);
+    if (std::exchange(context.files.save_plots, false)) save_plots(context);
+    if (context.view.tour.take_ended() && !std::exchange(tour_noted_, true)) note_tour();
+    open(context);
+    follow_film(context, now);
+    check_replay(context);
+    chores_.end_frame(context.remote.notices(), context.trace);
+}
+
+void Clerk::take_wishes(PanelContext& context) {
+    FileDesk& files = context.files;
+    wishes_.picture |= std::exchange(files.take_picture, false);
+    wishes_.run |= std::exchange(files.save_run, false);
+    if (files.make_film && !film_.busy()) wishes_.film = files.make_film;
+    files.make_film.reset();
+    if (saving_ || (!wishes_.picture && !wishes_.run && !wishes_.film)) return;
+    if (context.remote.sought()) return;  // it is about the step that is on its way
+    saving_ = true;
+    context.remote.save();
+}
+
+void Clerk::serve(PanelContext& context, Saved saved, double now) {
+    saving_ = false;
+    const Wishes wishes = std::exchange(wishes_, {});
+    Notices& notices = context.remote.notices();
+    if (!saved.complete) {
+        if (wishes.picture) notices.warn(std::string("This picture carries no run: ") + not_complete);
+        if (wishes.run) notices.warn(std::string("Run not saved: ") + not_complete);
+        if (wishes.film) notices.warn(std::string("No animation: ") + not_complete);
+    } else {
+        if (wishes.run) save_run(saved.recording);
+        if (wishes.film) {
+            film_.start(saved.recording, *wishes.film, now);
+            notices.info("Recording the animation; the window goes on");
+            context.trace.event("film-started", "");
+        }
+    }
+    if (wishes.picture) take_picture(context, std::move(saved));
+}
+
+void Clerk::take_picture(PanelContext& context, Saved saved) {
+    try {
+        auto painting = std::make_unique<Painting>();
+        painting->saved = std::move(saved);
+        const SessionSnapshot& moment = painting->saved.snapshot;
+        std::vector<SheetPlot> plots;
+        if (context.files.picture.plots) plots = plots_of(context.history, moment, context.measures);
+        painting->sheet = sheet_of({&moment, 1}, style_of(context, std::move(plots)), painting->fields);
+        paintings_.push_back(std::move(painting));
+    } catch (const std::exception& e) {
+        warn_no_picture(context, e);
+    }
+}
+
+/// A band a frame.
+void Clerk::paint(PanelContext& context) {
+    if (paintings_.empty()) return;
+    try {
+        Painting& now = *paintings_.front();
+        if (!renderer_) renderer_ = std::make_unique<PictureRenderer>();
+        if (!std::exchange(now.begun, true)) return renderer_->begin(std::move(now.sheet));
+        std::optional<Image> image = renderer_->draw_band();
+        if (!image) return;
+        chores_.add({"picture", "Picture written to ", no_picture,
+                     [image = *std::move(image), recording = std::move(now.saved.recording),
+                      complete = now.saved.complete] {
+                         const auto path = numbered_path(".png");
+                         std::vector<TextChunk> text{{"Software", "Whorl " WHORL_VERSION}};
+                         if (complete) text.emplace_back(run_chunk, write_run(recording));
+                         write_png(path, image, text);
+                         return path.string();
+                     }});
+    } catch (const std::exception& e) {
+        warn_no_picture(context, e);
+    }
+    paintings_.pop_front();
+}
+
+void Clerk::save_run(Recording recording) {
+    chores_.add({"run-saved", "Run written to ", "Run not saved: ", [recording = std::move(recording)] {
+                     const auto path = numbered_path(".toml");
+                     write_whole_file(path, write_run(recording));
+                     return path.string();
+                 }});
+}
+
+void Clerk::save_plots(PanelContext& context) {
+    const SessionSnapshot& moment = context.remote.session();
+    std::vector<CsvLane> lanes;
+    for (std::size_t k = 0; k < moment.lanes.size(); ++k)
+        lanes.push_back({context.names.name(k), context.history.lane(moment.ids[k])});
+    chores_.add({"csv", "Plots written to ", "Plots not saved: ", [lanes = std::move(lanes)] {
+                     const auto path = numbered_path(".csv");
+                     write_whole_file(path, plots_csv(lanes));
+                     return path.string();
+                 }});
+}
+
+void Clerk::note_tour() {
+    chores_.add({"tour-seen", "", "The tour will come again at the next start: ", [] {
+                     remember_tour();
+                     return std::string();
+                 }});
+}
+
+void Clerk::open(PanelContext& context) {
+    Notices& notices = context.remote.notices();
+    if (opening_.valid() && opening_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
+        try {
+            take_opened(context, opening_.get());
+        } catch (const std::exception& e) {
+            context.files.open_outcome = e.what();
+            // The dialog that asked for it says why.
+            if (!context.files.dialog) notices.warn(std::string("Not opened: ") + e.what());
+            context.trace.event("opened-failed", e.what());
+        }
+    }
+    if (!context.files.open || opening_.valid()) return;
+    opening_ = std::async(std::launch::async, [name = *context.files.open]() -> Opened {
+        if (names_file(name) && is_lesson(run_text(name)))
+            return {name, std::make_shared<const Lesson>(find_lesson(name))};
+        return {name, find_run(name)};
+    });
+    context.files.open.reset();
+}
+
+void Clerk::take_opened(PanelContext& context, Opened opened) {
+    if (auto* recording = std::get_if<Recording>(&opened.content)) {
+        const long step = recording->step;
+        check_.expect(*recording, opened.name, context.remote.session().run + 1);
+        context.remote.load(opened.name, std::move(*recording));
+        if (names_file(opened.name)) {
+            context.remote.play(false);
+            context.remote.notices().info("Opened " + opened.name +
+                                          (step > 0 ? " at step " + std::to_string(step) : ""));
+        }
+    } else {
+        context.files.lesson = std::get<1>(opened.content);
+    }
+    context.files.open_outcome = "";
+    context.trace.event("opened", opened.name);
+}
+
+void Clerk::follow_film(PanelContext& context, double now) {
+    if (std::exchange(context.files.cancel_film, false)) film_.cancel();
+    context.files.filming = film_.progress(now);
+    const auto outcome = film_.take_outcome();
+    if (!outcome) return;
+    context.files.filming.reset();
+    Notices& notices = context.remote.notices();
+    if (outcome->cancelled) {
+        notices.info("Animation cancelled; nothing of it is left");
+        context.trace.event("film-cancelled", "");
+    } else if (outcome->error.empty()) {
+        notices.info("Animation written to " + outcome->path);
+        context.trace.event("film", outcome->path);
+    } else {
+        notices.warn("No animation: " + outcome->error);
+        context.trace.event("film-failed", outcome->error);
+    }
+}
+
+void Clerk::check_replay(PanelContext& context) {
+    const auto same = check_.follow(context.remote.session(), context.remote.loaded());
+    if (!same) return;
+    context.trace.event("replayed", *same ? "same" : "different");
+    if (!*same)
+        context.remote.notices().warn(
+            "This is not quite the recorded run: another version or machine has made it");
+}
+
+}  // namespace whorl::app
