@@ -69,7 +69,7 @@ std::string length(const FilmOptions& film, long steps) {
 
 void draw_film_dialog(PanelContext& context) {
     const Theme& theme = context.theme;
-    FileDesk& files = context.files;
+    FileRequests& files = context.files;
     if (std::exchange(files.ask_film, false)) {
         files.has_ffmpeg = !find_program("ffmpeg").empty();
         if (!files.has_ffmpeg) files.film.kind = Kind::Pictures;

@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t most_entries = 500;
 
 void choose(PanelContext& context) {
-    FileDesk& files = context.files;
+    FileRequests& files = context.files;
     files.open = files.path;
     files.open_outcome.reset();
     files.open_error.clear();
@@ -25,7 +25,7 @@ void choose(PanelContext& context) {
 
 /// Closes the dialog once the path has been opened.
 /// @return whether it just turned out that it cannot be opened: another one is typed then
-bool has_failed(FileDesk& files) {
+bool has_failed(FileRequests& files) {
     if (!files.opening || !files.open_outcome) return false;
     files.opening = false;
     files.open_error = *std::exchange(files.open_outcome, {});
@@ -35,7 +35,7 @@ bool has_failed(FileDesk& files) {
 
 void list(PanelContext& context) {
     const Theme& theme = context.theme;
-    FileDesk& files = context.files;
+    FileRequests& files = context.files;
     ImGui::BeginChild("entries", {0, theme.px(260)}, true);
     for (const RunEntry& entry : files.entries) {
         const bool chosen = files.path == entry.name;
@@ -99,7 +99,7 @@ std::vector<RunEntry> runs_here() {
 
 void draw_open_dialog(PanelContext& context) {
     const Theme& theme = context.theme;
-    FileDesk& files = context.files;
+    FileRequests& files = context.files;
     if (std::exchange(files.ask_open, false)) {
         files.entries = runs_here();
         files.path.clear();

@@ -24,7 +24,7 @@ struct PanelContext {
     Remote& remote;  ///< the run: its newest snapshot, the scene as chosen, and what to ask of it
     ViewState& view;
     MeasureView& measures;
-    FileDesk& files;
+    FileRequests& files;
     const History& history;
     const FrameLog& frames;
     const LaneFields& fields;  ///< what the chosen view shows of every lane

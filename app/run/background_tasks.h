@@ -14,15 +14,15 @@
 namespace whorl::app {
 
 /// A piece of work, and what is said of it.
-struct Chore {
+struct BackgroundTask {
     std::string event;                  ///< name in the trace; with "-failed" behind it if it fails
     std::string done, failed;           ///< notices, before the result and the reason
     std::function<std::string()> work;  ///< @return what came of it, @throws std::exception with a reason
 };
 
-class Chores {
+class BackgroundTasks {
   public:
-    void add(Chore chore) { waiting_.push_back(std::move(chore)); }
+    void add(BackgroundTask task) { waiting_.push_back(std::move(task)); }
     bool busy() const { return doing_.valid() || !waiting_.empty(); }
 
     /// Says what became of the last piece and begins the next; call once a frame.
@@ -30,22 +30,22 @@ class Chores {
         if (doing_.valid() && doing_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
             try {
                 const std::string result = doing_.get();
-                if (!chore_.done.empty()) notices.info(chore_.done + result);
-                trace.event(chore_.event, result);
+                if (!task_.done.empty()) notices.info(task_.done + result);
+                trace.event(task_.event, result);
             } catch (const std::exception& e) {
-                notices.warn(chore_.failed + e.what());
-                trace.event(chore_.event + "-failed", e.what());
+                notices.warn(task_.failed + e.what());
+                trace.event(task_.event + "-failed", e.what());
             }
         }
         if (doing_.valid() || waiting_.empty()) return;
-        chore_ = std::move(waiting_.front());
+        task_ = std::move(waiting_.front());
         waiting_.pop_front();
-        doing_ = std::async(std::launch::async, std::move(chore_.work));
+        doing_ = std::async(std::launch::async, std::move(task_.work));
     }
 
   private:
-    std::deque<Chore> waiting_;
-    Chore chore_;
+    std::deque<BackgroundTask> waiting_;
+    BackgroundTask task_;
     std::future<std::string> doing_;
 };
 

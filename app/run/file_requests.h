@@ -38,8 +38,8 @@ struct RunEntry {
     std::string title;  ///< beside it, dim
 };
 
-/// Panels and keys put their wishes here; the clerk serves them once a frame and takes them away.
-struct FileDesk {
+/// Panels and keys put their requests here; FileService serves them once a frame and takes them away.
+struct FileRequests {
     bool take_picture = false;
     bool save_run = false;
     bool save_plots = false;

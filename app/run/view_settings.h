@@ -49,7 +49,7 @@ struct ViewState {
     Tour tour;
 
     /// Whether the tour's card is drawn, and takes keys: it steps aside for the help and the dialogs.
-    bool tour_in_sight(const FileDesk& files) const { return tour.running() && !help && !files.dialog; }
+    bool tour_in_sight(const FileRequests& files) const { return tour.running() && !help && !files.dialog; }
 
     /// The colours of a view, or of differences in it, which all have the same.
     const ColourMap& map(const View& of, bool of_difference) const {

@@ -46,8 +46,8 @@ constexpr const char* not_complete =
 
 }  // namespace
 
-void Clerk::end_frame(PanelContext& context, double now) {
-    take_wishes(context);
+void FileService::end_frame(PanelContext& context, double now) {
+    take_requests(context);
     if (const std::unique_ptr<Saved> saved = context.remote.take_saved())
         serve(context, std::move(*saved), now);
     paint(context);
@@ -56,41 +56,41 @@ void Clerk::end_frame(PanelContext& context, double now) {
     open(context);
     follow_film(context, now);
     check_replay(context);
-    chores_.end_frame(context.remote.notices(), context.trace);
+    background_tasks_.end_frame(context.remote.notices(), context.trace);
 }
 
-void Clerk::take_wishes(PanelContext& context) {
-    FileDesk& files = context.files;
-    wishes_.picture |= std::exchange(files.take_picture, false);
-    wishes_.run |= std::exchange(files.save_run, false);
-    if (files.make_film && !film_.busy()) wishes_.film = files.make_film;
+void FileService::take_requests(PanelContext& context) {
+    FileRequests& files = context.files;
+    pending_.picture |= std::exchange(files.take_picture, false);
+    pending_.run |= std::exchange(files.save_run, false);
+    if (files.make_film && !film_.busy()) pending_.film = files.make_film;
     files.make_film.reset();
-    if (saving_ || (!wishes_.picture && !wishes_.run && !wishes_.film)) return;
+    if (saving_ || (!pending_.picture && !pending_.run && !pending_.film)) return;
     if (context.remote.sought()) return;  // it is about the step that is on its way
     saving_ = true;
     context.remote.save();
 }
 
-void Clerk::serve(PanelContext& context, Saved saved, double now) {
+void FileService::serve(PanelContext& context, Saved saved, double now) {
     saving_ = false;
-    const Wishes wishes = std::exchange(wishes_, {});
+    const PendingRequests pending = std::exchange(pending_, {});
     Notices& notices = context.remote.notices();
     if (!saved.complete) {
-        if (wishes.picture) notices.warn(std::string("This picture carries no run: ") + not_complete);
-        if (wishes.run) notices.warn(std::string("Run not saved: ") + not_complete);
-        if (wishes.film) notices.warn(std::string("No animation: ") + not_complete);
+        if (pending.picture) notices.warn(std::string("This picture carries no run: ") + not_complete);
+        if (pending.run) notices.warn(std::string("Run not saved: ") + not_complete);
+        if (pending.film) notices.warn(std::string("No animation: ") + not_complete);
     } else {
-        if (wishes.run) save_run(saved.recording);
-        if (wishes.film) {
-            film_.start(saved.recording, *wishes.film, now);
+        if (pending.run) save_run(saved.recording);
+        if (pending.film) {
+            film_.start(saved.recording, *pending.film, now);
             notices.info("Recording the animation; the window goes on");
             context.trace.event("film-started", "");
         }
     }
-    if (wishes.picture) take_picture(context, std::move(saved));
+    if (pending.picture) take_picture(context, std::move(saved));
 }
 
-void Clerk::take_picture(PanelContext& context, Saved saved) {
+void FileService::take_picture(PanelContext& context, Saved saved) {
     try {
         auto painting = std::make_unique<Painting>();
         painting->saved = std::move(saved);
@@ -105,7 +105,7 @@ void Clerk::take_picture(PanelContext& context, Saved saved) {
 }
 
 /// A band a frame.
-void Clerk::paint(PanelContext& context) {
+void FileService::paint(PanelContext& context) {
     if (paintings_.empty()) return;
     try {
         Painting& now = *paintings_.front();
@@ -113,49 +113,50 @@ void Clerk::paint(PanelContext& context) {
         if (!std::exchange(now.begun, true)) return renderer_->begin(std::move(now.sheet));
         std::optional<Image> image = renderer_->draw_band();
         if (!image) return;
-        chores_.add({"picture", "Picture written to ", no_picture,
-                     [image = *std::move(image), recording = std::move(now.saved.recording),
-                      complete = now.saved.complete] {
-                         const auto path = numbered_path(".png");
-                         std::vector<TextChunk> text{{"Software", "Whorl " WHORL_VERSION}};
-                         if (complete) text.emplace_back(run_chunk, write_run(recording));
-                         write_png(path, image, text);
-                         return path.string();
-                     }});
+        background_tasks_.add({"picture", "Picture written to ", no_picture,
+                               [image = *std::move(image), recording = std::move(now.saved.recording),
+                                complete = now.saved.complete] {
+                                   const auto path = numbered_path(".png");
+                                   std::vector<TextChunk> text{{"Software", "Whorl " WHORL_VERSION}};
+                                   if (complete) text.emplace_back(run_chunk, write_run(recording));
+                                   write_png(path, image, text);
+                                   return path.string();
+                               }});
     } catch (const std::exception& e) {
         warn_no_picture(context, e);
     }
     paintings_.pop_front();
 }
 
-void Clerk::save_run(Recording recording) {
-    chores_.add({"run-saved", "Run written to ", "Run not saved: ", [recording = std::move(recording)] {
-                     const auto path = numbered_path(".toml");
-                     write_whole_file(path, write_run(recording));
-                     return path.string();
-                 }});
+void FileService::save_run(Recording recording) {
+    background_tasks_.add(
+        {"run-saved", "Run written to ", "Run not saved: ", [recording = std::move(recording)] {
+             const auto path = numbered_path(".toml");
+             write_whole_file(path, write_run(recording));
+             return path.string();
+         }});
 }
 
-void Clerk::save_plots(PanelContext& context) {
+void FileService::save_plots(PanelContext& context) {
     const SessionSnapshot& moment = context.remote.session();
     std::vector<CsvLane> lanes;
     for (std::size_t k = 0; k < moment.lanes.size(); ++k)
         lanes.push_back({context.names.name(k), context.history.lane(moment.ids[k])});
-    chores_.add({"csv", "Plots written to ", "Plots not saved: ", [lanes = std::move(lanes)] {
-                     const auto path = numbered_path(".csv");
-                     write_whole_file(path, plots_csv(lanes));
-                     return path.string();
-                 }});
+    background_tasks_.add({"csv", "Plots written to ", "Plots not saved: ", [lanes = std::move(lanes)] {
+                               const auto path = numbered_path(".csv");
+                               write_whole_file(path, plots_csv(lanes));
+                               return path.string();
+                           }});
 }
 
-void Clerk::note_tour() {
-    chores_.add({"tour-seen", "", "The tour will come again at the next start: ", [] {
-                     remember_tour();
-                     return std::string();
-                 }});
+void FileService::note_tour() {
+    background_tasks_.add({"tour-seen", "", "The tour will come again at the next start: ", [] {
+                               remember_tour();
+                               return std::string();
+                           }});
 }
 
-void Clerk::open(PanelContext& context) {
+void FileService::open(PanelContext& context) {
     Notices& notices = context.remote.notices();
     if (opening_.valid() && opening_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
         try {
@@ -176,7 +177,7 @@ void Clerk::open(PanelContext& context) {
     context.files.open.reset();
 }
 
-void Clerk::take_opened(PanelContext& context, Opened opened) {
+void FileService::take_opened(PanelContext& context, Opened opened) {
     if (auto* recording = std::get_if<Recording>(&opened.content)) {
         const long step = recording->step;
         check_.expect(*recording, opened.name, context.remote.session().run + 1);
@@ -193,7 +194,7 @@ void Clerk::take_opened(PanelContext& context, Opened opened) {
     context.trace.event("opened", opened.name);
 }
 
-void Clerk::follow_film(PanelContext& context, double now) {
+void FileService::follow_film(PanelContext& context, double now) {
     if (std::exchange(context.files.cancel_film, false)) film_.cancel();
     context.files.filming = film_.progress(now);
     const auto outcome = film_.take_outcome();
@@ -212,7 +213,7 @@ void Clerk::follow_film(PanelContext& context, double now) {
     }
 }
 
-void Clerk::check_replay(PanelContext& context) {
+void FileService::check_replay(PanelContext& context) {
     const auto same = check_.follow(context.remote.session(), context.remote.loaded());
     if (!same) return;
     context.trace.event("replayed", *same ? "same" : "different");

@@ -19,19 +19,19 @@ namespace whorl::app {
 
 /// Draws on the window's thread, between two frames and a band of a picture at a time; reads and writes on
 /// others, so that no frame waits for a disk. What fails is a notice.
-class Clerk {
+class FileService {
   public:
     /// The window was opened with a run.
     void opened(const Recording& recording, const std::string& name) { check_.expect(recording, name, 0); }
-    /// Serves the desk; call once a frame, after the window is drawn.
+    /// Serves the requests; call once a frame, after the window is drawn.
     /// @param now  seconds of the window's clock
     void end_frame(PanelContext& context, double now);
     /// Whether something that was asked for is on its way to a file.
-    bool writes() const { return saving_ || !paintings_.empty() || chores_.busy(); }
+    bool writes() const { return saving_ || !paintings_.empty() || background_tasks_.busy(); }
 
   private:
     /// What the next saved moment is for.
-    struct Wishes {
+    struct PendingRequests {
         bool picture = false;
         bool run = false;
         std::optional<FilmOptions> film;
@@ -48,7 +48,7 @@ class Clerk {
         std::variant<Recording, std::shared_ptr<const Lesson>> content;
     };
 
-    void take_wishes(PanelContext& context);
+    void take_requests(PanelContext& context);
     void serve(PanelContext& context, Saved saved, double now);
     void take_picture(PanelContext& context, Saved saved);
     void paint(PanelContext& context);
@@ -60,12 +60,12 @@ class Clerk {
     void follow_film(PanelContext& context, double now);
     void check_replay(PanelContext& context);
 
-    Wishes wishes_;
+    PendingRequests pending_;
     bool saving_ = false;
     bool tour_noted_ = false;                          ///< once is enough, and so is one complaint
     std::unique_ptr<PictureRenderer> renderer_;        ///< made for the first picture
     std::deque<std::unique_ptr<Painting>> paintings_;  ///< the first is being drawn
-    Chores chores_;
+    BackgroundTasks background_tasks_;
     FilmMaker film_;
     std::future<Opened> opening_;
     ReplayCheck check_;

@@ -79,7 +79,7 @@ std::unique_ptr<Player> make_player(const WindowOptions& options) {
 Workbench::Workbench(const WindowOptions& options, GlfwWindow& window)
     : window_(window), trace_(options.trace), player_(make_player(options)), remote_(*player_, notices_) {
     remote_.set_loaded(options.name);
-    clerk_.opened(options.recording, options.name);
+    file_service_.opened(options.recording, options.name);
     if (!options.lesson.empty()) files_.open = options.lesson;
     player_->play(options.recording.step == 0);
     if (options.tour.value_or(!tour_seen())) view_.tour.begin();
@@ -108,14 +108,15 @@ void Workbench::frame() {
     take_run();
     for (const InputEvent& event : events) act_on(event);
     const std::uint64_t serial = remote_.session().serial;
-    if (std::exchange(serial_, serial) != serial || !events.empty() || remote_.playing() || clerk_.writes())
+    if (std::exchange(serial_, serial) != serial || !events.empty() || remote_.playing() ||
+        file_service_.writes())
         stirred_ = clock_.time();
     brush_.end_frame(remote_);
     lessons_.set_open(view_.lessons, remote_);
     draw();
     window_.end_frame();
     PanelContext seen = context();
-    clerk_.end_frame(seen, clock_.time());
+    file_service_.end_frame(seen, clock_.time());
     if (files_.lesson) read_lesson();
     trace_.frame(frames_, remote_.steps_per_second(), remote_.playing(), remote_.session(), clock_.time());
 }

@@ -28,7 +28,7 @@ class Workbench {
     /// Waits for the next frame's time, and makes it.
     void frame();
     /// Whether something that was asked for is on its way to a file: frames bring it there.
-    bool writes() const { return clerk_.writes(); }
+    bool writes() const { return file_service_.writes(); }
 
   private:
     bool rests() const;
@@ -53,7 +53,7 @@ class Workbench {
     Notices notices_;
     ViewState view_;
     MeasureView measure_view_;
-    FileDesk files_;
+    FileRequests files_;
     History history_;
     FrameLog frames_;
     HoverHelp help_;
@@ -69,7 +69,7 @@ class Workbench {
     std::vector<StepMeasures> measures_;
     std::unique_ptr<Player> player_;
     Remote remote_;
-    Clerk clerk_;
+    FileService file_service_;
     LessonWalk lessons_;
 };
 

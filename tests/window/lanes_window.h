@@ -79,7 +79,7 @@ struct LanesWindow {
     Remote remote{player, notices};
     ViewState view;
     MeasureView measure_view;
-    FileDesk files;
+    FileRequests files;
     History history;
     FrameLog frames;
     LaneFields fields;

@@ -88,7 +88,7 @@ struct LessonWindow {
     Remote remote{player, notices};
     ViewState view;
     MeasureView measures;
-    FileDesk files;
+    FileRequests files;
     History history;
     FrameLog frames;
     LaneFields fields;

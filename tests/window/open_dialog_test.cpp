@@ -22,7 +22,7 @@ struct OpenWindow : LanesWindow {
     }
     bool says(const std::string& what) const { return DrawnText().all().find(what) != std::string::npos; }
 
-    Clerk clerk;
+    FileService clerk;
 };
 
 TEST(OpenDialog, StaysWithTheReasonUntilSomethingIsOpened) {

@@ -50,7 +50,7 @@ std::string drawn(HeadlessUi& ui, const Recording& run, Look look) {
         ViewState view;
         view.help = look.help;
         MeasureView measure_view;
-        FileDesk files;
+        FileRequests files;
         files.ask_open = look.open;
         files.ask_film = look.film;
         History history;
