@@ -34,8 +34,8 @@ void quantity_chips(PanelContext& context) {
 
 std::optional<double> draw_budget(PanelContext& context, float height) {
     const Theme& theme = context.theme;
-    const SessionSnapshot& moment = context.remote.session();
-    const std::size_t place = context.remote.selected();
+    const SessionSnapshot& moment = context.client.session();
+    const std::size_t place = context.client.selected();
     const LaneHistory& lane = context.history.lane(moment.ids[place]);
     const bool z = context.measures.of_enstrophy;
     const auto& colours = theme.palette.series;
@@ -64,7 +64,7 @@ std::optional<double> draw_budget(PanelContext& context, float height) {
 }
 
 std::optional<double> draw_viscosity(PanelContext& context, float height) {
-    const SessionSnapshot& moment = context.remote.session();
+    const SessionSnapshot& moment = context.client.session();
     std::vector<Series> series;
     for (std::size_t k = 0; k < moment.lanes.size(); ++k) {
         const LaneHistory& lane = context.history.lane(moment.ids[k]);

@@ -52,7 +52,7 @@ void figures_line(PanelContext& context) {
 /// One legend for all plots: a lane's colour and title; a click selects the lane.
 void lane_legend(PanelContext& context) {
     const Theme& theme = context.theme;
-    const SessionSnapshot& moment = context.remote.session();
+    const SessionSnapshot& moment = context.client.session();
     ImGui::PushFont(theme.small);
     const float side = theme.px(9);
     const float pad = theme.px(5);
@@ -66,9 +66,9 @@ void lane_legend(PanelContext& context) {
         if (at.x > left && at.x + width > right) at = {left, at.y + height + theme.px(2)};
         ImGui::SetCursorScreenPos(at);
         ImGui::PushID(static_cast<int>(k));
-        if (ImGui::InvisibleButton("lane", {width, height})) context.remote.select(k);
+        if (ImGui::InvisibleButton("lane", {width, height})) context.client.select(k);
         ImGui::PopID();
-        const bool selected = context.remote.selected() == k;
+        const bool selected = context.client.selected() == k;
         const bool hovered = ImGui::IsItemHovered();
         const std::string key = "legend-lane=" + std::to_string(k);
         context.trace.control(key);
@@ -127,7 +127,7 @@ void draw_measure_column(PanelContext& context) {
     ImGui::Separator();
     figures_line(context);
     tab_chips(context);
-    if (context.remote.session().lanes.size() > 1) lane_legend(context);
+    if (context.client.session().lanes.size() > 1) lane_legend(context);
     for (const Tab& tab : tabs) {
         if (context.measures.tab != tab.tab) continue;
         ImGui::BeginChild(tab.label, {0, 0}, false, ImGuiWindowFlags_None);

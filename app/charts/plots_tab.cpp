@@ -153,7 +153,7 @@ std::optional<Interval> range_of(const Chart& chart, const std::vector<Line>& li
 }
 
 std::optional<double> draw(PanelContext& context, const Chart& chart, float height) {
-    const SessionSnapshot& moment = context.remote.session();
+    const SessionSnapshot& moment = context.client.session();
     const std::vector<Line> lines = lines_of(chart, context.history, moment, context.names, context.measures);
     std::vector<Series> series;
     for (const Line& line : lines) {
@@ -234,7 +234,7 @@ std::optional<double> draw_on_card(PanelContext& context, const Plot& plot, std:
 
 void draw_plots_tab(PanelContext& context) {
     const Theme& theme = context.theme;
-    const SessionSnapshot& moment = context.remote.session();
+    const SessionSnapshot& moment = context.client.session();
     if (moment.lanes.size() > 1 && has_errors(moment)) norm_chips(context);
     const auto charts = charts_for(moment);
     const float gap = ImGui::GetStyle().ItemSpacing.y;

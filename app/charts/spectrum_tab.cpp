@@ -31,7 +31,7 @@ std::optional<Interval> range_of(const std::vector<LaneSpectrum>& lanes) {
 
 void draw_spectrum_tab(PanelContext& context) {
     const Theme& theme = context.theme;
-    const SessionSnapshot& moment = context.remote.session();
+    const SessionSnapshot& moment = context.client.session();
     Spectra& spectra = context.measures.spectra;
     spectra.follow(moment, ImGui::GetTime());
     std::vector<Series> series;

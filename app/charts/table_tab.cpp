@@ -188,7 +188,7 @@ void value_cell(PanelContext& context, double value, bool best) {
 }
 
 void draw_group(PanelContext& context, const Group& group) {
-    const SessionSnapshot& moment = context.remote.session();
+    const SessionSnapshot& moment = context.client.session();
     std::vector<Row> rows;
     for (std::size_t k = 0; k < moment.lanes.size(); ++k) {
         rows.push_back({k, moment.lanes[k].measures});
@@ -227,7 +227,7 @@ void draw_group(PanelContext& context, const Group& group) {
 
 void draw_table_tab(PanelContext& context) {
     const Theme& theme = context.theme;
-    const SessionSnapshot& moment = context.remote.session();
+    const SessionSnapshot& moment = context.client.session();
     for (const Group& group : groups) {
         if (group.columns.data() == error && !has_errors(moment)) continue;
         draw_group(context, group);

@@ -27,7 +27,7 @@ bool walk(int key, const Grid& grid, WorldPoint& at) {
 
 }  // namespace
 
-bool InspectTool::take(const InputEvent& event, const FieldPlacement& place, Remote& remote,
+bool InspectTool::take(const InputEvent& event, const FieldPlacement& place, SessionClient& client,
                        ViewState& view) {
     using Kind = InputEvent::Kind;
     Inspector& inspector = view.labs.inspector;
@@ -41,10 +41,10 @@ bool InspectTool::take(const InputEvent& event, const FieldPlacement& place, Rem
             if (event.code != GLFW_MOUSE_BUTTON_LEFT || event.mods != 0 || tile == nullptr) return false;
             picking_ = true;
             inspector.goes_closer = view.window.whole();
-            pick(place, *tile, event.x, event.y, remote, view);
+            pick(place, *tile, event.x, event.y, client, view);
             return true;
         case Kind::Move:
-            if (picking_ && tile != nullptr) pick(place, *tile, event.x, event.y, remote, view);
+            if (picking_ && tile != nullptr) pick(place, *tile, event.x, event.y, client, view);
             return picking_;
         case Kind::Release:
             if (!picking_ || event.code != GLFW_MOUSE_BUTTON_LEFT) return false;
@@ -52,16 +52,16 @@ bool InspectTool::take(const InputEvent& event, const FieldPlacement& place, Rem
             return true;
         case Kind::Key:
             return inspector.picked && with_shift(event) &&
-                   walk(event.code, remote.snapshot().grid, inspector.node.at);
+                   walk(event.code, client.snapshot().grid, inspector.node.at);
         default:
             return false;
     }
 }
 
-void InspectTool::pick(const FieldPlacement& place, const FieldTile& tile, double x, double y, Remote& remote,
-                       ViewState& view) const {
+void InspectTool::pick(const FieldPlacement& place, const FieldTile& tile, double x, double y,
+                       SessionClient& client, ViewState& view) const {
     view.labs.inspector.pick(place.world(tile, x, y));
-    remote.select(tile.lane);
+    client.select(tile.lane);
 }
 
 }  // namespace whorl::app

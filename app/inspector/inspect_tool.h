@@ -13,10 +13,10 @@ namespace whorl::app {
 class InspectTool {
   public:
     /// @return whether the event was meant for the inspector, and is nobody else's
-    bool take(const InputEvent& event, const FieldPlacement& place, Remote& remote, ViewState& view);
+    bool take(const InputEvent& event, const FieldPlacement& place, SessionClient& client, ViewState& view);
 
   private:
-    void pick(const FieldPlacement& place, const FieldTile& tile, double x, double y, Remote& remote,
+    void pick(const FieldPlacement& place, const FieldTile& tile, double x, double y, SessionClient& client,
               ViewState& view) const;
 
     bool picking_ = false;

@@ -61,7 +61,7 @@ void head(PanelContext& context, const Explanation& e) {
     ImGui::PopFont();
     context.trace.control("inspector-value");
     if (context.names.size() > 1) {
-        const std::size_t lane = context.remote.selected();
+        const std::size_t lane = context.client.selected();
         paragraph(theme.small, theme.lane(static_cast<int>(lane)), context.names.name(lane));
     }
     const auto note = [&](const std::string& words) {
@@ -138,7 +138,7 @@ void buttons(PanelContext& context, const Explanation& e, Inspector& inspector) 
         return;
     const std::string words = write_text(e);
     ImGui::SetClipboardText(words.c_str());
-    context.remote.notices().info("Copied the sum as text");
+    context.client.notices().info("Copied the sum as text");
     context.trace.event("copied", words);
 }
 
@@ -161,7 +161,7 @@ void draw_inspector_window(PanelContext& context) {
     if (lane.watched == inspector.node && std::exchange(inspector.goes_closer, false)) {
         const Grid& grid = lane.grid;
         std::vector<const Explanation*> others;
-        for (const Snapshot& other : context.remote.session().lanes) {
+        for (const Snapshot& other : context.client.session().lanes) {
             if (other.explanation) others.push_back(&*other.explanation);
         }
         context.view.window = window_around(e, others, {grid.width(), grid.height()}, grid.h);

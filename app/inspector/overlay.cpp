@@ -29,7 +29,7 @@ class Drawing {
           tile_(tile),
           list_(list),
           colours_(way_colours(theme_)),
-          h_(context.remote.session().lanes[tile.lane].grid.h),
+          h_(context.client.session().lanes[tile.lane].grid.h),
           cell_(static_cast<float>(h_ * tile.rect.width / tile.width /
                                    static_cast<double>(place.window.high.x - place.window.low.x))) {}
 
@@ -252,7 +252,7 @@ void draw_inspected(const PanelContext& context, const FieldPlacement& place, Im
                           low.y + static_cast<float>(tile.part.height)};
         list.PushClipRect(low, high, true);
         const Drawing drawing(context, place, tile, list);
-        if (const auto& explanation = context.remote.session().lanes[tile.lane].explanation)
+        if (const auto& explanation = context.client.session().lanes[tile.lane].explanation)
             drawing.draw(*explanation);
         if (&tile == under) drawing.point_out(mouse);
         list.PopClipRect();

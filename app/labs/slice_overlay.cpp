@@ -62,7 +62,7 @@ void draw_line(ImDrawList& list, const Theme& theme, const FieldTile& tile, cons
 std::optional<SliceHit> under_pointer(const PanelContext& context, const FieldPlacement& place) {
     const ImGuiIO& io = ImGui::GetIO();
     if (io.KeyShift || io.KeyCtrl || io.KeyAlt || ImGui::IsAnyMouseDown()) return std::nullopt;
-    return hit_slice(context.view.labs.slice.line, context.remote.session(), place,
+    return hit_slice(context.view.labs.slice.line, context.client.session(), place,
                      {static_cast<double>(io.MousePos.x), static_cast<double>(io.MousePos.y)},
                      context.theme.scale);
 }
@@ -100,7 +100,7 @@ void draw_slice_line(const PanelContext& context, const FieldPlacement& place, I
         ImGui::SetMouseCursor(grip == SliceGrip::Whole ? ImGuiMouseCursor_ResizeAll : ImGuiMouseCursor_Hand);
     const auto pointed = hit ? lab.pointed_on_field : lab.pointed_in_plot;
     for (const FieldTile& tile : place.tiles) {
-        const TileLine line = on_tile(lab.line, context.remote.session(), place, tile);
+        const TileLine line = on_tile(lab.line, context.client.session(), place, tile);
         draw_line(list, theme, tile, line, grip == SliceGrip::Whole);
         const auto colour = [&](SliceGrip end) {
             return grip == end ? theme.palette.accent : theme.palette.text;

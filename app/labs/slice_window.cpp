@@ -29,7 +29,7 @@ int samples_per_cell(double cells) {
 }
 
 Drawn drawn(const PanelContext& context, SliceLab& lab, std::size_t lane, const SchemeSet& schemes) {
-    const Snapshot& snapshot = context.remote.session().lanes[lane];
+    const Snapshot& snapshot = context.client.session().lanes[lane];
     const Field& field = *context.fields.of(lane);
     const Field& filled = lab.fields.of(lane, snapshot, field, context.fields.version());
     Drawn made;
@@ -43,7 +43,7 @@ Drawn drawn(const PanelContext& context, SliceLab& lab, std::size_t lane, const 
 void add_lanes(const PanelContext& context, SliceLab& lab, std::vector<Drawn>& all) {
     for (std::size_t k = 0; k < context.names.size(); ++k) {
         if (context.fields.of(k) == nullptr) continue;
-        const Scene& scene = context.remote.session().lanes[k].scene;
+        const Scene& scene = context.client.session().lanes[k].scene;
         all.push_back(drawn(context, lab, k, scene.scalars));
         const bool several = context.names.size() > 1;
         all.back().label =
@@ -54,11 +54,11 @@ void add_lanes(const PanelContext& context, SliceLab& lab, std::vector<Drawn>& a
 
 /// The selected lane by every interpolation that is shown.
 void add_interpolations(const PanelContext& context, SliceLab& lab, std::vector<Drawn>& all) {
-    const std::size_t lane = context.remote.selected();
+    const std::size_t lane = context.client.selected();
     if (context.fields.of(lane) == nullptr) return;
     for (std::size_t k = 0; k < lab.shown.size(); ++k) {
         if (!lab.shown[k]) continue;
-        SchemeSet schemes = context.remote.session().lanes[lane].scene.scalars;
+        SchemeSet schemes = context.client.session().lanes[lane].scene.scalars;
         schemes.interpolation = Interpolations::Id::at(k);
         schemes.clamped = lab.clamped;
         all.push_back(drawn(context, lab, lane, schemes));
@@ -74,7 +74,7 @@ void add_exact(const PanelContext& context, SliceLab& lab, std::vector<Drawn>& a
     if (!selected.has_exact || &context.fields.view() != &views().front() || context.fields.difference())
         return;
     const Field& filled =
-        lab.exact.of(context.remote.selected(), selected, selected.exact, context.fields.version());
+        lab.exact.of(context.client.selected(), selected, selected.exact, context.fields.version());
     SchemeSet straight;
     straight.interpolation = Interpolations::of<Linear>();
     Drawn exact{.label = "exact", .colour = context.theme.palette.text, .exact = true};

@@ -12,7 +12,7 @@ namespace {
 
 void state_lines(PanelContext& context) {
     const Snapshot& s = context.snapshot();
-    const SessionSnapshot& session = context.remote.session();
+    const SessionSnapshot& session = context.client.session();
     const Palette& palette = context.theme.palette;
     ImGui::PushFont(context.theme.title);
     ImGui::TextUnformatted("Whorl");
@@ -30,7 +30,7 @@ void state_lines(PanelContext& context) {
     if (session.lanes.size() > 1)
         end = std::snprintf(line, sizeof line, "%zu lanes  ·  ", session.lanes.size());
     std::snprintf(line + end, sizeof line - static_cast<std::size_t>(end), "%.0f frames/s  ·  %.0f steps/s",
-                  context.frames.frames_per_second(), context.remote.steps_per_second());
+                  context.frames.frames_per_second(), context.client.steps_per_second());
     text(palette.text_dim, line);
     ImGui::Separator();
     ImGui::Dummy({0, context.theme.px(1)});

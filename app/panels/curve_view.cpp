@@ -71,7 +71,7 @@ void draw_curve_view(PanelContext& context, ImVec2 size) {
     std::vector<std::size_t> lanes;  // of the series
     for (std::size_t k = 0; k < context.names.size(); ++k) {
         if (context.fields.of(k) == nullptr) continue;
-        curves[k] = curve_of(*context.fields.of(k), context.remote.session().lanes[k].grid);
+        curves[k] = curve_of(*context.fields.of(k), context.client.session().lanes[k].grid);
         const std::string_view alone = compares ? "numerical" : view.label;
         series.push_back(series_of(curves[k], several ? context.names.name(k) : alone,
                                    theme.lane(static_cast<int>(k)), !several));
@@ -102,7 +102,7 @@ void draw_curve_view(PanelContext& context, ImVec2 size) {
     Inspector& inspector = context.view.labs.inspector;
     if (!x || !inspector.open) return;
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Left))
-        context.remote.select(nearest(lanes, away, context.remote.selected()));
+        context.client.select(nearest(lanes, away, context.client.selected()));
     if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) inspector.pick({*x, 0.5 * selected.grid.h});
 }
 

@@ -47,18 +47,18 @@ Tiles tiles_in(const Theme& theme, const FieldShape& shape, ImVec2 room) {
 
 /// The lanes whose fields are on screen, in order.
 std::vector<std::size_t> lanes_on_screen(const PanelContext& context) {
-    const Remote& remote = context.remote;
+    const SessionClient& client = context.client;
     std::vector<std::size_t> lanes;
     switch (context.view.compare) {
         case Compare::SideBySide:
-            for (std::size_t k = 0; k < remote.session().lanes.size(); ++k) lanes.push_back(k);
+            for (std::size_t k = 0; k < client.session().lanes.size(); ++k) lanes.push_back(k);
             break;
         case Compare::One:
-            lanes = {context.view.peek ? remote.other() : remote.selected()};
+            lanes = {context.view.peek ? client.other() : client.selected()};
             break;
         case Compare::Wipe:
-            lanes = {remote.selected()};
-            if (remote.other() != remote.selected()) lanes.push_back(remote.other());
+            lanes = {client.selected()};
+            if (client.other() != client.selected()) lanes.push_back(client.other());
             break;
     }
     return lanes;
@@ -66,7 +66,7 @@ std::vector<std::size_t> lanes_on_screen(const PanelContext& context) {
 
 /// The field of a lane as large as it gets in a place, at its centre.
 FieldTile tile_in(const PanelContext& context, std::size_t lane, const PixelRect& place) {
-    const Grid& grid = context.remote.session().lanes[lane].grid;
+    const Grid& grid = context.client.session().lanes[lane].grid;
     const float high = aspect(grid) * static_cast<float>(place.width);
     FieldTile tile{lane, place, place, grid.width(), grid.height()};
     if (high > static_cast<float>(place.height) + 1) {
@@ -195,7 +195,7 @@ void draw_failure(PanelContext& context, const PixelRect& rect) {
     ImGui::TextUnformatted("The run has stopped");
     ImGui::PopFont();
     ImGui::TextWrapped("At %s. The last good state is shown.", failure->c_str());
-    if (ImGui::Button("Reset")) context.remote.restart();
+    if (ImGui::Button("Reset")) context.client.restart();
     context.trace.control("failure-reset");
     context.help.item(
         theme, "failure-reset",
@@ -226,7 +226,7 @@ void draw_fields(PanelContext& context, const FieldPlacement& place, const Pixel
     ImDrawList& list = *ImGui::GetWindowDrawList();
     for (const FieldTile& tile : place.tiles) {
         const bool marked = several && !place.wipe && place.tiles.size() > 1;
-        draw_lane_frame(context, tile, marked && tile.lane == context.remote.selected());
+        draw_lane_frame(context, tile, marked && tile.lane == context.client.selected());
         if (several) draw_lane_state(context, tile);
         context.trace.place("field=" + std::to_string(tile.lane + 1), static_cast<float>(tile.rect.x),
                             static_cast<float>(tile.rect.y), static_cast<float>(tile.rect.width),
@@ -264,7 +264,7 @@ float field_width_for(const Theme& theme, const FieldShape& shape, ImVec2 room) 
 // NOLINTNEXTLINE(readability-function-size)
 FieldPlacement draw_field_area(PanelContext& context) {
     const Theme& theme = context.theme;
-    const SessionSnapshot& session = context.remote.session();
+    const SessionSnapshot& session = context.client.session();
     const FieldShape shape = field_shape(session, context.view);
     const bool several = shape.lanes > 1;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -288,7 +288,7 @@ FieldPlacement draw_field_area(PanelContext& context) {
         ImGui::SetCursorScreenPos({static_cast<float>(rect.x), static_cast<float>(rect.y)});
         draw_curve_view(context, {static_cast<float>(rect.width), static_cast<float>(rect.height)});
         draw_failure(context, rect);
-        draw_notices(context, context.remote.notices(), rect);
+        draw_notices(context, context.client.notices(), rect);
         return place;
     }
 
@@ -323,7 +323,7 @@ FieldPlacement draw_field_area(PanelContext& context) {
                         static_cast<float>(first.width), static_cast<float>(first.height));
     draw_fields(context, place, all);
     if (!several) draw_failure(context, all);
-    draw_notices(context, context.remote.notices(), all);
+    draw_notices(context, context.client.notices(), all);
     return place;
 }
 

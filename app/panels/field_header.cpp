@@ -41,7 +41,7 @@ const char* hints(const Snapshot& s, bool inspects, float width) {
 /// Position, cell and value under a pixel, without the cell where there is no room for it.
 std::string reading(const PanelContext& context, const FieldPlacement& place, const FieldTile& tile,
                     ImVec2 pixel, float room) {
-    const Snapshot& s = context.remote.session().lanes[tile.lane];
+    const Snapshot& s = context.client.session().lanes[tile.lane];
     const WorldPoint at = place.world(tile, static_cast<double>(pixel.x), static_cast<double>(pixel.y));
     const int i = std::clamp(static_cast<int>(at.x / s.grid.h), 0, s.grid.nx - 1);
     const int j = std::clamp(static_cast<int>(at.y / s.grid.h), 0, s.grid.ny - 1);
@@ -109,7 +109,7 @@ float draw_chips(PanelContext& context, const FieldPlacement& place, float right
     if (context.names.size() > 1) {
         const std::string& reference = context.names.name(context.fields.reference());
         const std::string less = "Every lane less " + reference +
-                                 (context.remote.session().setup.reference == no_reference
+                                 (context.client.session().setup.reference == no_reference
                                       ? ", the first one; choose a reference lane to take another."
                                       : ", the reference lane, averaged to its cells.");
         if (chips.add("Difference", "compare=difference", view.difference, {"Difference", less, "", "", ""}))

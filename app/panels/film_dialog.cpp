@@ -81,7 +81,7 @@ void draw_film_dialog(PanelContext& context) {
     const bool missing = !files.has_ffmpeg && files.film.kind != Kind::Pictures;
     text(missing ? theme.palette.accent : theme.palette.text_dim,
          missing ? "ffmpeg is not installed: only numbered pictures can be made."
-                 : length(files.film, context.remote.session().step));
+                 : length(files.film, context.client.session().step));
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     const float width = std::floor((ImGui::GetContentRegionAvail().x - gap) / 2);
     ImGui::BeginDisabled(missing);

@@ -13,7 +13,7 @@ constexpr ImU32 stopped_colour = IM_COL32(74, 26, 22, 240);
 
 bool is_reference(const PanelContext& context, std::size_t lane) {
     if (context.fields.difference()) return lane == context.fields.reference();
-    return static_cast<int>(lane) == context.remote.session().setup.reference;
+    return static_cast<int>(lane) == context.client.session().setup.reference;
 }
 
 /// A line of text, cut with an ellipsis. @return its width
@@ -25,10 +25,10 @@ float line(ImDrawList& list, const ImFont& font, ImVec2 at, float room, ImU32 co
 }
 
 void title_help(PanelContext& context, std::size_t lane, const std::string& key) {
-    const Snapshot& s = context.remote.session().lanes[lane];
+    const Snapshot& s = context.client.session().lanes[lane];
     std::string state = std::to_string(s.grid.nx) + " × " + std::to_string(s.grid.ny);
     if (is_reference(context, lane)) state += " · the reference lane";
-    state += lane == context.remote.selected() ? " · selected" : " · click to select";
+    state += lane == context.client.selected() ? " · selected" : " · click to select";
     const std::string stopped = s.failure ? "Stopped at " + *s.failure : std::string();
     context.help.item(
         context.theme, key,
@@ -43,11 +43,11 @@ float lane_title_height(const Theme& theme) {
 
 void draw_lane_title(PanelContext& context, std::size_t lane, ImVec2 corner, float width) {
     const Theme& theme = context.theme;
-    const bool selected = lane == context.remote.selected();
+    const bool selected = lane == context.client.selected();
     const std::string key = "lane-title=" + std::to_string(lane + 1);
     ImGui::SetCursorScreenPos(corner);
     if (ImGui::InvisibleButton(key.c_str(), {std::max(1.0f, width), lane_title_height(theme)}))
-        context.remote.select(lane);
+        context.client.select(lane);
     const bool hovered = ImGui::IsItemHovered();
     context.trace.control(key);
     title_help(context, lane, key);
@@ -93,7 +93,7 @@ void draw_lane_frame(const PanelContext& context, const FieldTile& tile, bool ma
 
 void draw_lane_state(const PanelContext& context, const FieldTile& tile) {
     const Theme& theme = context.theme;
-    const Snapshot& s = context.remote.session().lanes[tile.lane];
+    const Snapshot& s = context.client.session().lanes[tile.lane];
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const auto left = static_cast<float>(tile.part.x);
     const auto top = static_cast<float>(tile.part.y);

@@ -33,7 +33,7 @@ LaneNames names_of(const Setup& setup) {
 /// Other lanes from the start of the run.
 void compare(PanelContext& context, const Lanes& lanes) {
     const Arrange all{lanes.lanes, std::vector<int>(lanes.lanes.size(), 0), lanes.reference};
-    if (context.remote.arrange(all, 0)) context.remote.restart();
+    if (context.client.arrange(all, 0)) context.client.restart();
 }
 
 void comparison_list(PanelContext& context) {
@@ -42,7 +42,7 @@ void comparison_list(PanelContext& context) {
         for (const Comparison& comparison : comparisons()) lanes.push_back(comparison.lanes());
         return lanes;
     }();
-    const Setup& setup = context.remote.setup();
+    const Setup& setup = context.client.setup();
     const auto current = std::find_if(known.begin(), known.end(),
                                       [&](const Lanes& lanes) { return lanes.lanes == setup.lanes; });
     std::string shown = setup.lanes.size() == 1 ? "One lane" : "Own lanes";
@@ -97,26 +97,26 @@ void name_field(PanelContext& context, std::size_t lane) {
         {"Name", "Enter takes it. Without a name, a lane is called by what differs.", "", "", ""});
     if (!done && !ImGui::IsItemDeactivated()) return;
     if (done || ImGui::IsItemDeactivatedAfterEdit()) {
-        Arrange changed = context.remote.arrangement();
+        Arrange changed = context.client.arrangement();
         changed.lanes[lane].name = now.text;
-        if (changed.lanes != context.remote.setup().lanes) context.remote.arrange(std::move(changed));
+        if (changed.lanes != context.client.setup().lanes) context.client.arrange(std::move(changed));
     }
     now = {};
 }
 
 void lane_row(PanelContext& context, std::size_t lane, const std::string& name, const std::string& differs) {
     const Theme& theme = context.theme;
-    const Remote& remote = context.remote;
-    const bool selected = lane == remote.selected_in_setup();
+    const SessionClient& client = context.client;
+    const bool selected = lane == client.selected_in_setup();
     const std::string key = "lane=" + std::to_string(lane + 1);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x;
     const float height = ImGui::GetFrameHeight();
-    if (ImGui::InvisibleButton(key.c_str(), {width, height})) context.remote.select_id(remote.ids()[lane]);
+    if (ImGui::InvisibleButton(key.c_str(), {width, height})) context.client.select_id(client.ids()[lane]);
     const bool hovered = ImGui::IsItemHovered();
-    if (hovered && ImGui::IsMouseDoubleClicked(0)) context.view.renaming = renaming(remote.ids()[lane], name);
+    if (hovered && ImGui::IsMouseDoubleClicked(0)) context.view.renaming = renaming(client.ids()[lane], name);
     context.trace.control(key);
-    const bool reference = static_cast<int>(lane) == remote.setup().reference;
+    const bool reference = static_cast<int>(lane) == client.setup().reference;
     context.help.item(theme, key,
                       {name, said_of(differs), "Click to select, double-click to rename", "",
                        reference ? "The reference lane: the others are measured against it." : ""});
@@ -150,13 +150,13 @@ void lane_row(PanelContext& context, std::size_t lane, const std::string& name, 
 }
 
 void lane_list(PanelContext& context, const LaneNames& names) {
-    const Setup& setup = context.remote.setup();
+    const Setup& setup = context.client.setup();
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,
                         ImVec2(ImGui::GetStyle().ItemSpacing.x, context.theme.px(2)));
     for (std::size_t k = 0; k < setup.lanes.size(); ++k) {
         ImGui::PushID(static_cast<int>(k));
-        const int id = context.remote.ids()[k];
-        if (id != Remote::unknown && id == context.view.renaming.id) {
+        const int id = context.client.ids()[k];
+        if (id != SessionClient::unknown && id == context.view.renaming.id) {
             name_field(context, k);
         } else {
             lane_row(context, k, names.name(k), names.difference(k));
@@ -183,9 +183,9 @@ bool button(PanelContext& context, const char* label, const char* key, float wid
 
 /// Puts a lane behind the selected one, which goes on with the selected one's fields.
 void add(PanelContext& context, LaneSetup lane, bool as_reference) {
-    const std::size_t at = context.remote.selected_in_setup();
+    const std::size_t at = context.client.selected_in_setup();
     const auto next = static_cast<std::ptrdiff_t>(at) + 1;
-    Arrange changed = context.remote.arrangement();
+    Arrange changed = context.client.arrangement();
     changed.lanes.insert(changed.lanes.begin() + next, std::move(lane));
     changed.from.insert(changed.from.begin() + next, static_cast<int>(at));
     if (as_reference) {
@@ -193,24 +193,24 @@ void add(PanelContext& context, LaneSetup lane, bool as_reference) {
     } else if (changed.reference > static_cast<int>(at)) {
         ++changed.reference;
     }
-    context.remote.arrange(std::move(changed), as_reference ? at : at + 1);
+    context.client.arrange(std::move(changed), as_reference ? at : at + 1);
 }
 
 void remove(PanelContext& context) {
-    const std::size_t at = context.remote.selected_in_setup();
-    Arrange changed = context.remote.arrangement();
+    const std::size_t at = context.client.selected_in_setup();
+    Arrange changed = context.client.arrangement();
     changed.lanes.erase(changed.lanes.begin() + static_cast<std::ptrdiff_t>(at));
     changed.from.erase(changed.from.begin() + static_cast<std::ptrdiff_t>(at));
     const std::size_t left = changed.lanes.size();
     if (changed.reference == static_cast<int>(at)) changed.reference = no_reference;
     if (changed.reference > static_cast<int>(at)) --changed.reference;
-    context.remote.arrange(std::move(changed), std::min(at, left - 1));
+    context.client.arrange(std::move(changed), std::min(at, left - 1));
 }
 
 void move(PanelContext& context, int by) {
-    const auto at = static_cast<int>(context.remote.selected_in_setup());
+    const auto at = static_cast<int>(context.client.selected_in_setup());
     const int to = at + by;
-    Arrange changed = context.remote.arrangement();
+    Arrange changed = context.client.arrangement();
     std::swap(changed.lanes[static_cast<std::size_t>(at)], changed.lanes[static_cast<std::size_t>(to)]);
     std::swap(changed.from[static_cast<std::size_t>(at)], changed.from[static_cast<std::size_t>(to)]);
     if (changed.reference == at) {
@@ -218,7 +218,7 @@ void move(PanelContext& context, int by) {
     } else if (changed.reference == to) {
         changed.reference = at;
     }
-    context.remote.arrange(std::move(changed));
+    context.client.arrange(std::move(changed));
 }
 
 LaneSetup copy_of(const LaneSetup& lane, const LaneList& lanes) {
@@ -233,8 +233,8 @@ LaneSetup copy_of(const LaneSetup& lane, const LaneList& lanes) {
 }
 
 void buttons(PanelContext& context) {
-    const LaneList& lanes = context.remote.setup().lanes;
-    const std::size_t at = context.remote.selected_in_setup();
+    const LaneList& lanes = context.client.setup().lanes;
+    const std::size_t at = context.client.selected_in_setup();
     const float gap = std::floor(0.5f * ImGui::GetStyle().ItemSpacing.x);
     const float arrow = context.theme.px(30);
     const float wide = std::floor(0.5f * (ImGui::GetContentRegionAvail().x - 2 * arrow - 3 * gap));
@@ -263,14 +263,14 @@ void buttons(PanelContext& context) {
 }
 
 void reference_list(PanelContext& context, const LaneNames& names) {
-    const int chosen = context.remote.setup().reference;
+    const int chosen = context.client.setup().reference;
     row_label(context.theme, "Reference");
     const float room = ImGui::CalcItemWidth() - 1.4f * ImGui::GetFrameHeight();
     const std::string shown = chosen == no_reference ? "None" : names.name(static_cast<std::size_t>(chosen));
     const auto choose = [&](int lane) {
-        Arrange changed = context.remote.arrangement();
+        Arrange changed = context.client.arrangement();
         changed.reference = lane;
-        context.remote.arrange(std::move(changed));
+        context.client.arrange(std::move(changed));
     };
     if (ImGui::BeginCombo("##reference", fitted(shown, room).c_str())) {
         if (list_item("None", chosen == no_reference)) choose(no_reference);
@@ -299,7 +299,7 @@ void reference_list(PanelContext& context, const LaneNames& names) {
 }
 
 void finer_reference(PanelContext& context) {
-    const LaneList& lanes = context.remote.setup().lanes;
+    const LaneList& lanes = context.client.setup().lanes;
     const std::string full =
         lanes.size() == Setup::max_lanes ? "There are six lanes, the most there can be." : "";
     row_label(context.theme, "Add finer");
@@ -317,7 +317,7 @@ void finer_reference(PanelContext& context) {
             "lets both begin anew.";
         if (!button(context, label.c_str(), key.c_str(), width, {"Finer reference", what, "", "", full}))
             continue;
-        LaneSetup lane = lanes[context.remote.selected_in_setup()];
+        LaneSetup lane = lanes[context.client.selected_in_setup()];
         lane.refine = times;
         lane.name = "Reference × " + std::to_string(times);
         add(context, copy_of(lane, lanes), true);
@@ -328,8 +328,8 @@ void scope(PanelContext& context, const LaneNames& names) {
     row_label(context.theme, "Controls set");
     const float gap = std::floor(0.5f * ImGui::GetStyle().ItemSpacing.x);
     const float width = std::floor(0.5f * (ImGui::GetContentRegionAvail().x - gap));
-    const bool only = context.remote.lane_only();
-    if (chip(context.theme, "All lanes", !only, width)) context.remote.set_lane_only(false);
+    const bool only = context.client.lane_only();
+    if (chip(context.theme, "All lanes", !only, width)) context.client.set_lane_only(false);
     context.trace.control("scope=all");
     context.help.item(context.theme, "scope=all",
                       {"All lanes",
@@ -337,10 +337,10 @@ void scope(PanelContext& context, const LaneNames& names) {
                        "marked with its colour, stay.",
                        "", "", ""});
     ImGui::SameLine(0, gap);
-    if (chip(context.theme, "This lane", only, width)) context.remote.set_lane_only(true);
+    if (chip(context.theme, "This lane", only, width)) context.client.set_lane_only(true);
     context.trace.control("scope=lane");
     const std::string what = "The controls below set values of " +
-                             names.name(context.remote.selected_in_setup()) +
+                             names.name(context.client.selected_in_setup()) +
                              " alone. Right-click a control that is marked to go back to the value of all.";
     context.help.item(context.theme, "scope=lane", {"This lane", what, "", "", ""});
 }
@@ -348,9 +348,9 @@ void scope(PanelContext& context, const LaneNames& names) {
 }  // namespace
 
 void draw_lanes_panel(PanelContext& context) {
-    const Setup& setup = context.remote.setup();
+    const Setup& setup = context.client.setup();
     LaneNames chosen;
-    const bool made = setup == context.remote.session().setup;
+    const bool made = setup == context.client.session().setup;
     if (!made) chosen = names_of(setup);
     const LaneNames& names = made ? context.names : chosen;
     const bool several = names.size() > 1;

@@ -21,7 +21,7 @@ namespace whorl::app {
 /// What a panel sees and where it asks: it reads the run, changes the view, and sends commands.
 struct PanelContext {
     const Theme& theme;
-    Remote& remote;  ///< the run: its newest snapshot, the scene as chosen, and what to ask of it
+    SessionClient& client;  ///< the run: its newest snapshot, the scene as chosen, and what to ask of it
     ViewState& view;
     MeasureView& measures;
     FileRequests& files;
@@ -33,8 +33,8 @@ struct PanelContext {
     Trace& trace;
     Slabs& slabs;
 
-    const Snapshot& snapshot() const { return remote.snapshot(); }
-    const Scene& scene() const { return remote.scene(); }
+    const Snapshot& snapshot() const { return client.snapshot(); }
+    const Scene& scene() const { return client.scene(); }
 };
 
 /// A titled group of controls in the left column.

@@ -34,11 +34,11 @@ std::string detail(const Parameter& p) {
 }
 
 /// The lanes that have a value of their own, where the controls do not set one of these alone.
-std::vector<std::size_t> overriding(const Remote& remote, const Parameter& p) {
+std::vector<std::size_t> overriding(const SessionClient& client, const Parameter& p) {
     std::vector<std::size_t> lanes;
-    const std::size_t selected = remote.selected_in_setup();
-    for (std::size_t k = 0; k < remote.setup().lanes.size(); ++k) {
-        if ((!remote.lane_only() || k == selected) && remote.overridden(p, k)) lanes.push_back(k);
+    const std::size_t selected = client.selected_in_setup();
+    for (std::size_t k = 0; k < client.setup().lanes.size(); ++k) {
+        if ((!client.lane_only() || k == selected) && client.overridden(p, k)) lanes.push_back(k);
     }
     return lanes;
 }
@@ -55,10 +55,10 @@ void mark(const Theme& theme, const std::vector<std::size_t>& lanes) {
     }
 }
 
-std::string overrides_help(const Remote& remote, const std::vector<std::size_t>& lanes) {
+std::string overrides_help(const SessionClient& client, const std::vector<std::size_t>& lanes) {
     if (lanes.empty()) return {};
-    if (remote.lane_only()) return "This lane's own value. Right-click to go back to the value of all lanes.";
-    const std::string who = lanes.size() == remote.setup().lanes.size() ? "All lanes have values"
+    if (client.lane_only()) return "This lane's own value. Right-click to go back to the value of all lanes.";
+    const std::string who = lanes.size() == client.setup().lanes.size() ? "All lanes have values"
                             : lanes.size() == 1                         ? "A lane has a value"
                                                 : std::to_string(lanes.size()) + " lanes have values";
     return who + " of their own, which this does not change. Right-click to give them the value of all.";
@@ -84,7 +84,7 @@ void choice(PanelContext& context, const Parameter& p, const char* id) {
         const SchemeInfo& info = p.choices[k];
         const std::string label(info.label);
         if (list_item(label.c_str(), k == chosen) && k != chosen) {
-            context.remote.set(p, static_cast<double>(k));
+            context.client.set(p, static_cast<double>(k));
         }
         const std::string key = p.key + "=" + std::string(info.key);
         context.trace.control(key);
@@ -111,12 +111,12 @@ void number(PanelContext& context, const Parameter& p, const char* id) {
         changed = slider(context.theme, id, value, range, p.unit, number_format(p).c_str());
     }
     if (!on_release) {
-        if (changed) context.remote.set(p, value);
+        if (changed) context.client.set(p, value);
         return;
     }
     if (changed) held = static_cast<float>(value);
     if (ImGui::IsItemDeactivated()) {
-        if (!std::isnan(held)) context.remote.set(p, value);
+        if (!std::isnan(held)) context.client.set(p, value);
         held = std::nanf("");
     }
 }
@@ -130,7 +130,7 @@ void control(PanelContext& context, const Parameter& p) {
         const bool value = p.get(context.scene()) != 0;
         const ImGuiStyle& style = ImGui::GetStyle();
         const float room = ImGui::CalcItemWidth() - ImGui::GetFrameHeight() - style.ItemInnerSpacing.x;
-        if (check((fitted(p.label, room) + id).c_str(), value)) context.remote.set(p, value ? 0 : 1);
+        if (check((fitted(p.label, room) + id).c_str(), value)) context.client.set(p, value ? 0 : 1);
     } else if (p.kind == Kind::Choice) {
         choice(context, p, id.c_str());
     } else {
@@ -138,14 +138,14 @@ void control(PanelContext& context, const Parameter& p) {
     }
     ImGui::EndDisabled();
     context.trace.control(p.key);
-    const std::vector<std::size_t> own = overriding(context.remote, p);
+    const std::vector<std::size_t> own = overriding(context.client, p);
     if (!own.empty()) {
         mark(context.theme, own);
         const bool clicked =
             ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) && ImGui::IsMouseClicked(1);
-        if (clicked) context.remote.drop_overrides(p);
+        if (clicked) context.client.drop_overrides(p);
     }
-    const std::string overrides = overrides_help(context.remote, own);
+    const std::string overrides = overrides_help(context.client, own);
     help(context, p, idle + (idle.empty() || own.empty() ? "" : "\n") + overrides);
 }
 

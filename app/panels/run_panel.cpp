@@ -18,22 +18,22 @@ void transport(PanelContext& context) {
     const Palette& palette = context.theme.palette;
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     const float width = std::floor((ImGui::GetContentRegionAvail().x - 2 * gap) / 3);
-    const bool playing = context.remote.playing();
+    const bool playing = context.client.playing();
     ImGui::PushStyleColor(ImGuiCol_Button, palette.accent);
     ImGui::PushStyleColor(ImGuiCol_ButtonHovered, faded(palette.accent, 0.9f));
     ImGui::PushStyleColor(ImGuiCol_ButtonActive, faded(palette.accent, 0.8f));
     ImGui::PushStyleColor(ImGuiCol_Text, palette.accent_text);
-    if (ImGui::Button(playing ? "Pause###play" : "Play###play", {width, 0})) context.remote.play(!playing);
+    if (ImGui::Button(playing ? "Pause###play" : "Play###play", {width, 0})) context.client.play(!playing);
     ImGui::PopStyleColor(4);
     context.trace.control("play");
     context.help.item(context.theme, "play",
                       {"", "Lets the run go on, or stands it still.", "Key: Space", "", ""});
     ImGui::SameLine();
-    if (ImGui::Button("Step", {width, 0})) context.remote.step();
+    if (ImGui::Button("Step", {width, 0})) context.client.step();
     context.trace.control("step");
     context.help.item(context.theme, "step", {"", "One step, then pause. Key: full stop", "", "", ""});
     ImGui::SameLine();
-    if (ImGui::Button("Reset", {-FLT_MIN, 0})) context.remote.restart();
+    if (ImGui::Button("Reset", {-FLT_MIN, 0})) context.client.restart();
     context.trace.control("reset");
     context.help.item(
         context.theme, "reset",
@@ -64,8 +64,8 @@ void files(PanelContext& context) {
 void scene_item(PanelContext& context, std::string_view key, const Scene& scene, std::string_view help,
                 std::string_view source, std::string_view hint) {
     const std::string id = scene.title + "##" + std::string(key);
-    const bool chosen = context.remote.loaded() == key;
-    if (list_item(id.c_str(), chosen)) context.remote.load_scene(key, scene);
+    const bool chosen = context.client.loaded() == key;
+    if (list_item(id.c_str(), chosen)) context.client.load_scene(key, scene);
     const std::string name = "scene=" + std::string(key);
     context.trace.control(name);
     context.help.item(context.theme, name, {scene.title, help, hint, source, ""});
@@ -111,7 +111,7 @@ void scenes(PanelContext& context) {
 }
 
 void pace(PanelContext& context) {
-    Pace pace = context.remote.pace();
+    Pace pace = context.client.pace();
     row_label(context.theme, "Steps a frame");
     ImGui::BeginDisabled(pace.unlimited);
     bool changed = slider(context.theme, "##steps per frame", pace.steps_per_frame, {1, 16}, "");
@@ -129,7 +129,7 @@ void pace(PanelContext& context) {
     context.trace.control("unlimited");
     context.help.item(context.theme, "unlimited",
                       {"As fast as it can", "Steps without waiting for the window's frames.", "", "", ""});
-    if (changed) context.remote.set_pace(pace);
+    if (changed) context.client.set_pace(pace);
 }
 
 }  // namespace

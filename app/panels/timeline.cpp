@@ -43,21 +43,21 @@ std::string state_line(const SessionSnapshot& moment, std::optional<long> sought
 
 }  // namespace
 
-void walk(Remote& remote, long by) {
-    const SessionSnapshot& moment = remote.session();
-    const long from = remote.sought().value_or(moment.step);
+void walk(SessionClient& client, long by) {
+    const SessionSnapshot& moment = client.session();
+    const long from = client.sought().value_or(moment.step);
     if (by > 0 && from >= moment.last_step) {
-        remote.step();
+        client.step();
     } else {
-        remote.seek(std::max(0L, from + by));
+        client.seek(std::max(0L, from + by));
     }
 }
 
 void draw_timeline(PanelContext& context) {
     const Theme& theme = context.theme;
     const Palette& palette = theme.palette;
-    const SessionSnapshot& moment = context.remote.session();
-    const std::optional<long> sought = context.remote.sought();
+    const SessionSnapshot& moment = context.client.session();
+    const std::optional<long> sought = context.client.sought();
     const long last = std::max(1L, moment.last_step);
 
     const float width = ImGui::GetContentRegionAvail().x;
@@ -76,7 +76,7 @@ void draw_timeline(PanelContext& context) {
     if (held) {
         const float share = std::clamp((ImGui::GetIO().MousePos.x - left) / span, 0.0f, 1.0f);
         const long to = std::lround(static_cast<double>(share) * static_cast<double>(moment.last_step));
-        if (to != sought.value_or(moment.step)) context.remote.seek(to);
+        if (to != sought.value_or(moment.step)) context.client.seek(to);
     }
     context.help.item(theme, "timeline", {"Timeline", help_text(), memory_text(), "", ""});
 

@@ -9,6 +9,6 @@ namespace whorl::app {
 void draw_timeline(PanelContext& context);
 
 /// Goes `by` steps on or back, at the last known step by stepping on.
-void walk(Remote& remote, long by);
+void walk(SessionClient& client, long by);
 
 }  // namespace whorl::app

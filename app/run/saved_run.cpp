@@ -4,88 +4,88 @@
 
 namespace whorl::app {
 
-KeptLook look_of(const Remote& remote, const ViewState& view) {
+KeptLook look_of(const SessionClient& client, const ViewState& view) {
     return {view.shown,  view.difference,   view.compare,  view.wipe,
-            view.window, remote.selected(), remote.other()};
+            view.window, client.selected(), client.other()};
 }
 
-void look_again(const KeptLook& look, Remote& remote, ViewState& view) {
+void look_again(const KeptLook& look, SessionClient& client, ViewState& view) {
     view.shown = look.shown;
     view.difference = look.difference;
     view.compare = look.compare;
     view.wipe = look.wipe;
     view.window = look.window;
-    const std::size_t lanes = remote.session().lanes.size();
-    if (look.other < lanes) remote.select(look.other);
-    if (look.selected < lanes) remote.select(look.selected);
+    const std::size_t lanes = client.session().lanes.size();
+    if (look.other < lanes) client.select(look.other);
+    if (look.selected < lanes) client.select(look.selected);
 }
 
-void KeptRun::load_over(std::string_view name, const Recording& recording, Remote& remote,
+void KeptRun::load_over(std::string_view name, const Recording& recording, SessionClient& client,
                         const ViewState& view) {
     wanted_ = false;
-    const bool own = remote.loads() != own_load_;
+    const bool own = client.loads() != own_load_;
     // One that is still on its way back has not all of itself on screen yet.
-    const bool on_its_way = returning_ && remote.loads() == returning_->load;
+    const bool on_its_way = returning_ && client.loads() == returning_->load;
     if (on_its_way) {
         kept_ = std::move(returning_->kept);
     } else if (own) {
-        kept_ = Kept{remote.loaded(),
-                     remote.sought().value_or(remote.session().step),
-                     remote.playing(),
-                     look_of(remote, view),
+        kept_ = Kept{client.loaded(),
+                     client.sought().value_or(client.session().step),
+                     client.playing(),
+                     look_of(client, view),
                      {}};
     }
     returning_.reset();
-    remote.play(false);
-    remote.load(name, recording, own && !on_its_way);
-    own_load_ = remote.loads();
+    client.play(false);
+    client.load(name, recording, own && !on_its_way);
+    own_load_ = client.loads();
 }
 
-void KeptRun::give_back(Remote& remote) {
-    if (keeps(remote)) {
+void KeptRun::give_back(SessionClient& client) {
+    if (keeps(client)) {
         wanted_ = true;
     } else {
         kept_.reset();
     }
 }
 
-void KeptRun::update(Remote& remote, ViewState& view) {
-    take(remote);
-    if (wanted_ && !keeps(remote)) {
+void KeptRun::update(SessionClient& client, ViewState& view) {
+    take(client);
+    if (wanted_ && !keeps(client)) {
         wanted_ = false;
         kept_.reset();
     }
     if (wanted_ && kept_->recording) {
         wanted_ = false;
-        remote.play(false);
-        remote.load(kept_->name, *kept_->recording);
-        returning_ = Returning{*std::exchange(kept_, {}), remote.loads(), remote.session().run};
+        client.play(false);
+        client.load(kept_->name, *kept_->recording);
+        returning_ = Returning{*std::exchange(kept_, {}), client.loads(), client.session().run};
     }
-    if (returning_) follow(remote, view);
+    if (returning_) follow(client, view);
 }
 
 /// Takes the run from the player once it has handed it over.
-void KeptRun::take(Remote& remote) {
-    const std::unique_ptr<SetAside> before = remote.take_set_aside();
+void KeptRun::take(SessionClient& client) {
+    const std::unique_ptr<SetAside> before = client.take_set_aside();
     if (!before || !kept_) return;
     if (before->complete) {
         kept_->recording = std::move(before->recording);
         return;
     }
     kept_.reset();
-    remote.notices().warn(
+    client.notices().warn(
         "More was done in your run than a recording holds: it cannot be brought back after the lessons");
 }
 
-void KeptRun::follow(Remote& remote, ViewState& view) {
-    if (remote.loads() != returning_->load) return returning_.reset();
-    if (remote.session().run == returning_->left) return;
+void KeptRun::follow(SessionClient& client, ViewState& view) {
+    if (client.loads() != returning_->load) return returning_.reset();
+    if (client.session().run == returning_->left) return;
     const Kept& kept = returning_->kept;
-    if (!std::exchange(returning_->begun, true)) remote.seek(kept.step);
+    if (!std::exchange(returning_->begun, true)) client.seek(kept.step);
     // A view may have nothing to show before the run stands where it stood.
-    look_again(kept.look, remote, view);
-    if (remote.sought()) return;
-    remote.play(kept.playing);
+    look_again(kept.look, client, view);
+    if (client.sought()) return;
+    client.play(kept.playing);
     returning_.reset();
 }
 

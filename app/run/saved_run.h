@@ -19,22 +19,23 @@ struct KeptLook {
     std::size_t selected, other;
 };
 
-KeptLook look_of(const Remote& remote, const ViewState& view);
-void look_again(const KeptLook& look, Remote& remote, ViewState& view);
+KeptLook look_of(const SessionClient& client, const ViewState& view);
+void look_again(const KeptLook& look, SessionClient& client, ViewState& view);
 
 /// Keeps one run at a time, from the load that takes its place until it is given back or no longer wanted.
 class KeptRun {
   public:
     /// Begins another run in the place of the one on screen, which is kept if it is not the last that was
     /// begun here: else that which was kept then stays kept.
-    void load_over(std::string_view name, const Recording& recording, Remote& remote, const ViewState& view);
+    void load_over(std::string_view name, const Recording& recording, SessionClient& client,
+                   const ViewState& view);
     /// Whether a run is kept, and the one on screen is the last that was begun here: someone may have loaded
     /// another one since, which then stays.
-    bool keeps(const Remote& remote) const { return kept_ && remote.loads() == own_load_; }
+    bool keeps(const SessionClient& client) const { return kept_ && client.loads() == own_load_; }
     /// Brings the kept run back, as soon as it can be.
-    void give_back(Remote& remote);
+    void give_back(SessionClient& client);
     /// Follows the run on its way; call once a frame.
-    void update(Remote& remote, ViewState& view);
+    void update(SessionClient& client, ViewState& view);
 
   private:
     struct Kept {
@@ -47,13 +48,13 @@ class KeptRun {
     /// On its way back.
     struct Returning {
         Kept kept;
-        int load;  ///< the remote's count
+        int load;  ///< the client's count
         int left;  ///< the run before
         bool begun = false;
     };
 
-    void take(Remote& remote);
-    void follow(Remote& remote, ViewState& view);
+    void take(SessionClient& client);
+    void follow(SessionClient& client, ViewState& view);
 
     int own_load_ = -1;
     bool wanted_ = false;  ///< it is to be given back

@@ -37,7 +37,7 @@ std::string label_of(const Parameter& p, double value) {
 
 }  // namespace
 
-void Remote::begin_frame() {
+void SessionClient::begin_frame() {
     const int run = session_ != nullptr ? session_->run : 0;
     const std::size_t place = session_ != nullptr ? selected() : 0;
     const std::size_t before = session_ != nullptr ? other() : 0;
@@ -58,7 +58,7 @@ void Remote::begin_frame() {
     settle();
 }
 
-void Remote::settle() {
+void SessionClient::settle() {
     while (!pending_.empty() && pending_.front().ticket <= session_->taken) pending_.pop_front();
     if (to_select_ && to_select_->first <= session_->taken) {
         if (to_select_->second < session_->ids.size()) select_id(session_->ids[to_select_->second]);
@@ -72,7 +72,7 @@ void Remote::settle() {
 }
 
 /// What a command will make of scene and lanes.
-void Remote::act(const Command& command) {
+void SessionClient::act(const Command& command) {
     if (const auto* edit = std::get_if<SetParameter>(&command)) {
         set_parameter(setup_.scene, edit->key, edit->value);
     } else if (const auto* other = std::get_if<Arrange>(&command)) {
@@ -88,7 +88,7 @@ void Remote::act(const Command& command) {
 }
 
 /// A lane whose edit is refused has no scene: then that of all.
-void Remote::choose_scene() {
+void SessionClient::choose_scene() {
     scene_ = setup_.scene;
     if (!lane_only_) return;
     try {
@@ -98,45 +98,45 @@ void Remote::choose_scene() {
     }
 }
 
-std::size_t Remote::selected() const {
+std::size_t SessionClient::selected() const {
     return place_of(selected_id_, session_->ids, 0);
 }
 
-std::size_t Remote::selected_in_setup() const {
+std::size_t SessionClient::selected_in_setup() const {
     return place_of(selected_id_, ids_, 0);
 }
 
-std::size_t Remote::other() const {
+std::size_t SessionClient::other() const {
     const std::size_t next = (selected() + 1) % session_->lanes.size();
     const std::size_t before = place_of(previous_id_, session_->ids, next);
     return before == selected() ? next : before;
 }
 
-void Remote::select_id(int id) {
+void SessionClient::select_id(int id) {
     if (id == unknown || id == selected_id_) return;
     previous_id_ = selected_id_;
     selected_id_ = id;
     choose_scene();
 }
 
-void Remote::set_lane_only(bool lane_only) {
+void SessionClient::set_lane_only(bool lane_only) {
     lane_only_ = lane_only;
     choose_scene();
 }
 
-void Remote::push(Command command) {
+void SessionClient::push(Command command) {
     const std::uint64_t ticket = player_.push(command);
     if (std::holds_alternative<SetParameter>(command) || std::holds_alternative<Arrange>(command))
         pending_.push_back({ticket, std::move(command)});
 }
 
-Scene Remote::with(const Parameter& p, double value) const {
+Scene SessionClient::with(const Parameter& p, double value) const {
     Scene wanted = scene_;
     p.set(wanted, value);
     return wanted;
 }
 
-void Remote::push_edit(const Parameter& p, double value) {
+void SessionClient::push_edit(const Parameter& p, double value) {
     SetParameter edit{p.key, p.text(value)};
     // The brush is the hand's, and the same in all lanes.
     if (lane_only_ && p.group != Parameter::Group::Brush) {
@@ -150,7 +150,7 @@ void Remote::push_edit(const Parameter& p, double value) {
     choose_scene();
 }
 
-void Remote::set(const Parameter& p, double value) {
+void SessionClient::set(const Parameter& p, double value) {
     try {
         p.check(value);
     } catch (const InputError& e) {
@@ -174,13 +174,13 @@ void Remote::set(const Parameter& p, double value) {
     push_edit(p, value);
 }
 
-bool Remote::overridden(const Parameter& p, std::size_t lane) const {
+bool SessionClient::overridden(const Parameter& p, std::size_t lane) const {
     const auto& overrides = setup_.lanes[lane].overrides;
     return std::any_of(overrides.begin(), overrides.end(),
                        [&](const SetParameter& o) { return meet(o.key, p.key); });
 }
 
-void Remote::drop_overrides(const Parameter& p) {
+void SessionClient::drop_overrides(const Parameter& p) {
     Arrange changed = arrangement();
     for (std::size_t k = 0; k < changed.lanes.size(); ++k) {
         if (lane_only_ && k != selected_in_setup()) continue;
@@ -189,13 +189,13 @@ void Remote::drop_overrides(const Parameter& p) {
     if (changed.lanes != setup_.lanes) arrange(std::move(changed));
 }
 
-Arrange Remote::arrangement() const {
+Arrange SessionClient::arrangement() const {
     Arrange same{setup_.lanes, std::vector<int>(setup_.lanes.size()), setup_.reference};
     std::iota(same.from.begin(), same.from.end(), 0);
     return same;
 }
 
-bool Remote::arrange(Arrange arrange, std::optional<std::size_t> select) {
+bool SessionClient::arrange(Arrange arrange, std::optional<std::size_t> select) {
     try {
         lane_scenes({setup_.scene, arrange.lanes, arrange.reference});
     } catch (const InputError& e) {
@@ -209,7 +209,7 @@ bool Remote::arrange(Arrange arrange, std::optional<std::size_t> select) {
     return true;
 }
 
-void Remote::load(std::string_view key, Recording recording, bool set_aside) {
+void SessionClient::load(std::string_view key, Recording recording, bool set_aside) {
     try {
         const long step = recording.step;
         player_.load(std::move(recording), set_aside);
@@ -224,7 +224,7 @@ void Remote::load(std::string_view key, Recording recording, bool set_aside) {
     }
 }
 
-void Remote::load_scene(std::string_view key, const Scene& scene) {
+void SessionClient::load_scene(std::string_view key, const Scene& scene) {
     if (setup_.lanes.size() == 1) return load(key, {.setup = {.scene = scene}});
     const Setup compared{scene, setup_.lanes, setup_.reference};
     const std::size_t place = selected_in_setup();
@@ -238,7 +238,7 @@ void Remote::load_scene(std::string_view key, const Scene& scene) {
     }
 }
 
-void Remote::set_pace(Pace pace) {
+void SessionClient::set_pace(Pace pace) {
     pace_ = pace;
     player_.set_pace(pace);
 }

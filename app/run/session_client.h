@@ -15,9 +15,9 @@ namespace whorl::app {
 
 /// Remembers what has been asked for until the run has done it, so that controls show the person's choice at
 /// once however long a step takes.
-class Remote {
+class SessionClient {
   public:
-    Remote(Player& player, Notices& notices) : player_(player), notices_(notices) {}
+    SessionClient(Player& player, Notices& notices) : player_(player), notices_(notices) {}
 
     /// Takes the newest snapshot and complaints; call once a frame, before anything reads.
     void begin_frame();

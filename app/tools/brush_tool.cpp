@@ -45,18 +45,18 @@ void BrushTool::take(const InputEvent& event, const FieldPlacement& place) {
     }
 }
 
-void BrushTool::end_frame(Remote& remote) {
+void BrushTool::end_frame(SessionClient& client) {
     if (mode_ == Mode::None) return;
     const bool obstacle = mode_ == Mode::Paint || mode_ == Mode::Erase;
-    obstacle ? send_obstacle(remote) : send_smoke(remote);
+    obstacle ? send_obstacle(client) : send_smoke(client);
     path_.erase(path_.begin(), path_.end() - 1);
     fresh_ = false;
     if (ended_) mode_ = Mode::None;
 }
 
-void BrushTool::send_smoke(Remote& remote) {
-    const Snapshot& s = remote.snapshot();
-    const Brush& brush = remote.scene().brush;
+void BrushTool::send_smoke(SessionClient& client) {
+    const Snapshot& s = client.snapshot();
+    const Brush& brush = client.scene().brush;
     const double elapsed = fresh_ ? s.scene.dt : std::max(s.measures.time - last_time_, s.scene.dt);
     last_time_ = s.measures.time;
     SmokeStroke stroke{.along = {},
@@ -66,9 +66,9 @@ void BrushTool::send_smoke(Remote& remote) {
                        .push = brush.push,
                        .smoke = mode_ == Mode::Smoke};
     if (path_.size() == 1) {
-        if (!stroke.smoke || !(fresh_ || remote.playing())) return;
+        if (!stroke.smoke || !(fresh_ || client.playing())) return;
         stroke.along = {path_[0].x, path_[0].y, path_[0].x, path_[0].y};
-        remote.push(stroke);
+        client.push(stroke);
         return;
     }
     double whole = 0;
@@ -81,17 +81,17 @@ void BrushTool::send_smoke(Remote& remote) {
         stroke.along = {a.x, a.y, b.x, b.y};
         stroke.velocity_x = far > 0 ? (b.x - a.x) / far * speed : 0;
         stroke.velocity_y = far > 0 ? (b.y - a.y) / far * speed : 0;
-        remote.push(stroke);
+        client.push(stroke);
     }
 }
 
-void BrushTool::send_obstacle(Remote& remote) {
+void BrushTool::send_obstacle(SessionClient& client) {
     if (path_.size() == 1 && !fresh_) return;
-    ObstacleStroke stroke{.along = {}, .radius = remote.scene().brush.radius, .solid = mode_ == Mode::Paint};
+    ObstacleStroke stroke{.along = {}, .radius = client.scene().brush.radius, .solid = mode_ == Mode::Paint};
     for (std::size_t k = path_.size() == 1 ? 0 : 1; k < path_.size(); ++k) {
         const WorldPoint a = path_[k > 0 ? k - 1 : 0];
         stroke.along = {a.x, a.y, path_[k].x, path_[k].y};
-        remote.push(stroke);
+        client.push(stroke);
     }
 }
 

@@ -17,13 +17,13 @@ class BrushTool {
     void take(const InputEvent& event, const FieldPlacement& place);
     /// Sends what the drag has done since the last frame. Held still, it goes on emitting while the run
     /// plays.
-    void end_frame(Remote& remote);
+    void end_frame(SessionClient& client);
 
   private:
     enum class Mode { None, Smoke, Push, Paint, Erase };
 
-    void send_smoke(Remote& remote);
-    void send_obstacle(Remote& remote);
+    void send_smoke(SessionClient& client);
+    void send_obstacle(SessionClient& client);
 
     Mode mode_ = Mode::None;
     int button_ = 0;

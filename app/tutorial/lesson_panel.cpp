@@ -52,11 +52,11 @@ void draw_top(PanelContext& context, LessonWalk& walk) {
     }
     if (button(context, "Close", "lesson-close", width,
                {"",
-                walk.keeps_run(context.remote)
+                walk.keeps_run(context.client)
                     ? "Closes the lessons and brings back the run that was here before, as it stood."
                     : "Closes the lessons. The run stays as it is.",
                 "Key: L", "", ""}))
-        walk.set_open(false, context.remote);
+        walk.set_open(false, context.client);
     ImGui::Separator();
 }
 
@@ -87,7 +87,7 @@ void draw_entry(PanelContext& context, LessonWalk& walk, const Lesson& lesson, i
     ImGui::SetCursorScreenPos(corner);
     const std::string key = "lesson=" + lesson.key;
     if (ImGui::InvisibleButton(key.c_str(), {width, height}))
-        walk.begin(lesson, context.remote, context.view);
+        walk.begin(lesson, context.client, context.view);
     context.trace.control(key);
     const std::string steps = std::to_string(lesson.steps.size()) + " steps";
     context.help.item(theme, key, {lesson.title, lesson.summary, steps, "", ""});
@@ -128,10 +128,10 @@ void draw_way_on(PanelContext& context, LessonWalk& walk) {
     if (!walk.last()) {
         if (button(context, "Next", "lesson-next", -FLT_MIN,
                    {"", "The next step. Its run and view are set up in one go.", "Key: PageDown", "", ""}))
-            walk.next(context.remote, context.view);
+            walk.next(context.client, context.view);
     } else if (const Lesson* next = walk.next_lesson()) {
         if (button(context, "Next lesson", "lesson-next", -FLT_MIN, {next->title, next->summary, "", "", ""}))
-            walk.begin(*next, context.remote, context.view);
+            walk.begin(*next, context.client, context.view);
     } else if (button(context, "Finish", "lesson-next", -FLT_MIN,
                       {"", "That was the last step. Back to the list of lessons.", "", "", ""})) {
         walk.leave();
@@ -143,13 +143,13 @@ void draw_buttons(PanelContext& context, LessonWalk& walk) {
     ImGui::BeginDisabled(walk.first());
     if (button(context, "Back", "lesson-back", width,
                {"", "The step before. What it shows is set up anew.", "Key: PageUp", "", ""}))
-        walk.back(context.remote, context.view);
+        walk.back(context.client, context.view);
     ImGui::EndDisabled();
     ImGui::SameLine();
     if (button(context, "Show again", "lesson-again", width,
                {"", "Scene, schemes, lanes and view as this step sets them, whatever has been changed since.",
                 "", "", ""}))
-        walk.show(context.remote, context.view);
+        walk.show(context.client, context.view);
     ImGui::SameLine();
     const Palette& palette = context.theme.palette;
     ImGui::PushStyleColor(ImGuiCol_Button, palette.accent);
@@ -186,7 +186,7 @@ void draw_step(PanelContext& context, LessonWalk& walk) {
 }  // namespace
 
 void draw_lesson_panel(PanelContext& context, LessonWalk& walk) {
-    walk.update(context.remote, context.view);
+    walk.update(context.client, context.view);
     draw_top(context, walk);
     if (walk.lesson() == nullptr) return draw_list(context, walk);
     draw_step(context, walk);

@@ -21,43 +21,44 @@ Compare compare_of(LessonMode mode) {
     return Compare::SideBySide;
 }
 
-void look(const LessonStep& step, Remote& remote, ViewState& view) {
+void look(const LessonStep& step, SessionClient& client, ViewState& view) {
     view.shown = step.view;
     view.difference = step.mode == LessonMode::Difference;
     view.compare = compare_of(step.mode);
     view.window = {};
     // The first lane, with the second as the other one.
-    if (remote.session().lanes.size() > 1) remote.select(1);
-    remote.select(0);
+    if (client.session().lanes.size() > 1) client.select(1);
+    client.select(0);
 }
 
 }  // namespace
 
-void LessonWalk::set_open(bool open, Remote& remote) {
+void LessonWalk::set_open(bool open, SessionClient& client) {
     const bool closes = open_ && !open;
     open_ = open;
     if (!closes) return;
-    if (kept_.keeps(remote)) left_.reset();
-    kept_.give_back(remote);
+    if (kept_.keeps(client)) left_.reset();
+    kept_.give_back(client);
 }
 
-void LessonWalk::begin(const Lesson& lesson, Remote& remote, const ViewState& view) {
+void LessonWalk::begin(const Lesson& lesson, SessionClient& client, const ViewState& view) {
     open_ = true;
     lesson_ = &lesson;
-    enter(0, remote, view);
+    enter(0, client, view);
 }
 
-void LessonWalk::begin_own(std::shared_ptr<const Lesson> lesson, Remote& remote, const ViewState& view) {
+void LessonWalk::begin_own(std::shared_ptr<const Lesson> lesson, SessionClient& client,
+                           const ViewState& view) {
     own_ = std::move(lesson);
-    begin(*own_, remote, view);
+    begin(*own_, client, view);
 }
 
-void LessonWalk::next(Remote& remote, const ViewState& view) {
-    if (lesson_ != nullptr && !last()) enter(place_ + 1, remote, view);
+void LessonWalk::next(SessionClient& client, const ViewState& view) {
+    if (lesson_ != nullptr && !last()) enter(place_ + 1, client, view);
 }
 
-void LessonWalk::back(Remote& remote, const ViewState& view) {
-    if (lesson_ != nullptr && !first()) enter(place_ - 1, remote, view);
+void LessonWalk::back(SessionClient& client, const ViewState& view) {
+    if (lesson_ != nullptr && !first()) enter(place_ - 1, client, view);
 }
 
 const Lesson* LessonWalk::next_lesson() const {
@@ -66,42 +67,42 @@ const Lesson* LessonWalk::next_lesson() const {
     return here == all.end() || here + 1 == all.end() ? nullptr : &*(here + 1);
 }
 
-void LessonWalk::enter(std::size_t place, Remote& remote, const ViewState& view) {
+void LessonWalk::enter(std::size_t place, SessionClient& client, const ViewState& view) {
     place_ = place;
     turned_ = true;
-    show(remote, view);
+    show(client, view);
 }
 
-void LessonWalk::show(Remote& remote, const ViewState& view) {
-    left_ = remote.session().run;
-    kept_.load_over(step().scene, step().recording, remote, view);
+void LessonWalk::show(SessionClient& client, const ViewState& view) {
+    left_ = client.session().run;
+    kept_.load_over(step().scene, step().recording, client, view);
 }
 
-bool LessonWalk::take(const InputEvent& event, Remote& remote, const ViewState& view) {
+bool LessonWalk::take(const InputEvent& event, SessionClient& client, const ViewState& view) {
     if (!open_ || lesson_ == nullptr || event.kind != InputEvent::Kind::Key) return false;
     if (event.code != GLFW_KEY_PAGE_DOWN && event.code != GLFW_KEY_PAGE_UP) return false;
     if (event.repeated) return true;
     if (event.code == GLFW_KEY_PAGE_DOWN) {
-        next(remote, view);
+        next(client, view);
     } else {
-        back(remote, view);
+        back(client, view);
     }
     return true;
 }
 
-bool LessonWalk::begun(const Remote& remote) const {
-    const SessionSnapshot& session = remote.session();
+bool LessonWalk::begun(const SessionClient& client) const {
+    const SessionSnapshot& session = client.session();
     const Recording& recording = step().recording;
     // Turning pages quickly, another step's run may begin in between. Commands may change a setup.
     return session.run != *left_ && (!recording.commands.empty() || session.setup == recording.setup);
 }
 
-void LessonWalk::update(Remote& remote, ViewState& view) {
-    kept_.update(remote, view);
-    if (lesson_ == nullptr || !left_ || !begun(remote)) return;
+void LessonWalk::update(SessionClient& client, ViewState& view) {
+    kept_.update(client, view);
+    if (lesson_ == nullptr || !left_ || !begun(client)) return;
     // A view may have nothing to show before the step's moment.
-    look(step(), remote, view);
-    if (!remote.sought()) left_.reset();
+    look(step(), client, view);
+    if (!client.sought()) left_.reset();
 }
 
 }  // namespace whorl::app

@@ -21,9 +21,9 @@ class LessonWalk {
     bool open() const { return open_; }
     /// Closed, it gives back the run that was on screen before the lessons' own; one that someone has loaded
     /// since then stays.
-    void set_open(bool open, Remote& remote);
+    void set_open(bool open, SessionClient& client);
     /// Whether there is a run to give back.
-    bool keeps_run(const Remote& remote) const { return kept_.keeps(remote); }
+    bool keeps_run(const SessionClient& client) const { return kept_.keeps(client); }
 
     /// The lesson that is read; null while one is chosen.
     const Lesson* lesson() const { return lesson_; }
@@ -36,28 +36,28 @@ class LessonWalk {
 
     /// Opens the panel on a lesson's first step.
     /// @param lesson  must live as long as it is read
-    void begin(const Lesson& lesson, Remote& remote, const ViewState& view);
+    void begin(const Lesson& lesson, SessionClient& client, const ViewState& view);
     /// The same with a lesson from a file, which stays in the list until another one is opened.
-    void begin_own(std::shared_ptr<const Lesson> lesson, Remote& remote, const ViewState& view);
+    void begin_own(std::shared_ptr<const Lesson> lesson, SessionClient& client, const ViewState& view);
     /// The last lesson from a file; null if there is none.
     const Lesson* own() const { return own_.get(); }
     /// Back to the list of lessons; the run stays.
     void leave() { lesson_ = nullptr; }
-    void next(Remote& remote, const ViewState& view);
-    void back(Remote& remote, const ViewState& view);
+    void next(SessionClient& client, const ViewState& view);
+    void back(SessionClient& client, const ViewState& view);
     /// The step's run and view again, whatever has been changed since.
-    void show(Remote& remote, const ViewState& view);
+    void show(SessionClient& client, const ViewState& view);
     /// Turns to the next step at PageDown and back at PageUp, while a lesson is read.
     /// @return whether the event was one of them
-    bool take(const InputEvent& event, Remote& remote, const ViewState& view);
+    bool take(const InputEvent& event, SessionClient& client, const ViewState& view);
     /// Looks at the shown run as the step says; call once a frame.
-    void update(Remote& remote, ViewState& view);
+    void update(SessionClient& client, ViewState& view);
     /// Whether another step was entered since the last call.
     bool take_turned() { return std::exchange(turned_, false); }
 
   private:
-    void enter(std::size_t place, Remote& remote, const ViewState& view);
-    bool begun(const Remote& remote) const;
+    void enter(std::size_t place, SessionClient& client, const ViewState& view);
+    bool begun(const SessionClient& client) const;
 
     bool open_ = false;
     std::shared_ptr<const Lesson> own_;

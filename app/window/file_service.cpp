@@ -22,7 +22,7 @@ namespace {
 PictureStyle style_of(const PanelContext& context, std::vector<SheetPlot> plots) {
     const ViewState& view = context.view;
     PictureStyle style{.view = view.shown, .difference = view.difference};
-    if (view.compare == Compare::One) style.alone = context.remote.selected();
+    if (view.compare == Compare::One) style.alone = context.client.selected();
     style.map = &view.map();
     if (view.range.held()) style.range = view.range.ends();
     style.window = view.window;
@@ -37,7 +37,7 @@ PictureStyle style_of(const PanelContext& context, std::vector<SheetPlot> plots)
 constexpr const char* no_picture = "No picture: ";
 
 void warn_no_picture(PanelContext& context, const std::exception& e) {
-    context.remote.notices().warn(std::string(no_picture) + e.what());
+    context.client.notices().warn(std::string(no_picture) + e.what());
     context.trace.event("picture-failed", e.what());
 }
 
@@ -48,7 +48,7 @@ constexpr const char* not_complete =
 
 void FileService::end_frame(PanelContext& context, double now) {
     take_requests(context);
-    if (const std::unique_ptr<Saved> saved = context.remote.take_saved())
+    if (const std::unique_ptr<Saved> saved = context.client.take_saved())
         serve(context, std::move(*saved), now);
     paint(context);
     if (std::exchange(context.files.save_plots, false)) save_plots(context);
@@ -56,7 +56,7 @@ void FileService::end_frame(PanelContext& context, double now) {
     open(context);
     follow_film(context, now);
     check_replay(context);
-    background_tasks_.end_frame(context.remote.notices(), context.trace);
+    background_tasks_.end_frame(context.client.notices(), context.trace);
 }
 
 void FileService::take_requests(PanelContext& context) {
@@ -66,15 +66,15 @@ void FileService::take_requests(PanelContext& context) {
     if (files.make_film && !film_.busy()) pending_.film = files.make_film;
     files.make_film.reset();
     if (saving_ || (!pending_.picture && !pending_.run && !pending_.film)) return;
-    if (context.remote.sought()) return;  // it is about the step that is on its way
+    if (context.client.sought()) return;  // it is about the step that is on its way
     saving_ = true;
-    context.remote.save();
+    context.client.save();
 }
 
 void FileService::serve(PanelContext& context, Saved saved, double now) {
     saving_ = false;
     const PendingRequests pending = std::exchange(pending_, {});
-    Notices& notices = context.remote.notices();
+    Notices& notices = context.client.notices();
     if (!saved.complete) {
         if (pending.picture) notices.warn(std::string("This picture carries no run: ") + not_complete);
         if (pending.run) notices.warn(std::string("Run not saved: ") + not_complete);
@@ -138,7 +138,7 @@ void FileService::save_run(Recording recording) {
 }
 
 void FileService::save_plots(PanelContext& context) {
-    const SessionSnapshot& moment = context.remote.session();
+    const SessionSnapshot& moment = context.client.session();
     std::vector<CsvLane> lanes;
     for (std::size_t k = 0; k < moment.lanes.size(); ++k)
         lanes.push_back({context.names.name(k), context.history.lane(moment.ids[k])});
@@ -157,7 +157,7 @@ void FileService::note_tour() {
 }
 
 void FileService::open(PanelContext& context) {
-    Notices& notices = context.remote.notices();
+    Notices& notices = context.client.notices();
     if (opening_.valid() && opening_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
         try {
             take_opened(context, opening_.get());
@@ -180,11 +180,11 @@ void FileService::open(PanelContext& context) {
 void FileService::take_opened(PanelContext& context, Opened opened) {
     if (auto* recording = std::get_if<Recording>(&opened.content)) {
         const long step = recording->step;
-        check_.expect(*recording, opened.name, context.remote.session().run + 1);
-        context.remote.load(opened.name, std::move(*recording));
+        check_.expect(*recording, opened.name, context.client.session().run + 1);
+        context.client.load(opened.name, std::move(*recording));
         if (names_file(opened.name)) {
-            context.remote.play(false);
-            context.remote.notices().info("Opened " + opened.name +
+            context.client.play(false);
+            context.client.notices().info("Opened " + opened.name +
                                           (step > 0 ? " at step " + std::to_string(step) : ""));
         }
     } else {
@@ -200,7 +200,7 @@ void FileService::follow_film(PanelContext& context, double now) {
     const auto outcome = film_.take_outcome();
     if (!outcome) return;
     context.files.filming.reset();
-    Notices& notices = context.remote.notices();
+    Notices& notices = context.client.notices();
     if (outcome->cancelled) {
         notices.info("Animation cancelled; nothing of it is left");
         context.trace.event("film-cancelled", "");
@@ -214,11 +214,11 @@ void FileService::follow_film(PanelContext& context, double now) {
 }
 
 void FileService::check_replay(PanelContext& context) {
-    const auto same = check_.follow(context.remote.session(), context.remote.loaded());
+    const auto same = check_.follow(context.client.session(), context.client.loaded());
     if (!same) return;
     context.trace.event("replayed", *same ? "same" : "different");
     if (!*same)
-        context.remote.notices().warn(
+        context.client.notices().warn(
             "This is not quite the recorded run: another version or machine has made it");
 }
 

@@ -77,8 +77,8 @@ std::unique_ptr<Player> make_player(const WindowOptions& options) {
 }  // namespace
 
 Workbench::Workbench(const WindowOptions& options, GlfwWindow& window)
-    : window_(window), trace_(options.trace), player_(make_player(options)), remote_(*player_, notices_) {
-    remote_.set_loaded(options.name);
+    : window_(window), trace_(options.trace), player_(make_player(options)), client_(*player_, notices_) {
+    client_.set_loaded(options.name);
     file_service_.opened(options.recording, options.name);
     if (!options.lesson.empty()) files_.open = options.lesson;
     player_->play(options.recording.step == 0);
@@ -107,45 +107,45 @@ void Workbench::frame() {
     const std::vector<InputEvent>& events = window_.begin_frame();
     take_run();
     for (const InputEvent& event : events) act_on(event);
-    const std::uint64_t serial = remote_.session().serial;
-    if (std::exchange(serial_, serial) != serial || !events.empty() || remote_.playing() ||
+    const std::uint64_t serial = client_.session().serial;
+    if (std::exchange(serial_, serial) != serial || !events.empty() || client_.playing() ||
         file_service_.writes())
         stirred_ = clock_.time();
-    brush_.end_frame(remote_);
-    lessons_.set_open(view_.lessons, remote_);
+    brush_.end_frame(client_);
+    lessons_.set_open(view_.lessons, client_);
     draw();
     window_.end_frame();
     PanelContext seen = context();
     file_service_.end_frame(seen, clock_.time());
     if (files_.lesson) read_lesson();
-    trace_.frame(frames_, remote_.steps_per_second(), remote_.playing(), remote_.session(), clock_.time());
+    trace_.frame(frames_, client_.steps_per_second(), client_.playing(), client_.session(), clock_.time());
 }
 
 /// Opens the panel on a lesson that has come from a file.
 void Workbench::read_lesson() {
-    lessons_.begin_own(std::move(files_.lesson), remote_, view_);
+    lessons_.begin_own(std::move(files_.lesson), client_, view_);
     view_.lessons = true;
     view_.peeks_at_measures = false;
 }
 
 /// Takes the newest state, its measures, and what is shown of it with its range.
 void Workbench::take_run() {
-    remote_.watch(view_.watch());
-    remote_.begin_frame();
-    const SessionSnapshot& session = remote_.session();
+    client_.watch(view_.watch());
+    client_.begin_frame();
+    const SessionSnapshot& session = client_.session();
     const bool new_run = player_->take_measures(measures_);
     history_.take(measures_, new_run);
     measures_.clear();
     names_.update(session.setup);
-    lessons_.update(remote_, view_);
-    if (!available(*view_.shown, remote_.snapshot())) view_.shown = &views().front();
+    lessons_.update(client_, view_);
+    if (!available(*view_.shown, client_.snapshot())) view_.shown = &views().front();
     if (session.lanes.size() == 1) {
         view_.compare = Compare::SideBySide;
         view_.difference = false;
     }
     fields_.update(session, *view_.shown, view_.difference);
     // Fields that stand still are shown on their own range, so that their picture depends on the step alone.
-    const double seconds = remote_.playing() ? 1e-3 * clock_.interval_ms() : ColourRange::at_once;
+    const double seconds = client_.playing() ? 1e-3 * clock_.interval_ms() : ColourRange::at_once;
     view_.range.follow(*view_.shown, view_.difference, fields_.span(), seconds);
 }
 
@@ -154,9 +154,9 @@ void Workbench::act_on(const InputEvent& event) {
     if (event.kind == Kind::Character && ImGui::GetIO().WantTextInput) return;
     if (view_.tour_in_sight(files_) && !ImGui::GetIO().WantTextInput && view_.tour.take(event)) return;
     if (view_tool_.take(event, place_, view_)) return;
-    if (slice_tool_.take(event, place_, remote_.session(), window_.theme().scale, view_.labs.slice)) return;
-    if (inspect_tool_.take(event, place_, remote_, view_)) return;
-    if (lessons_.take(event, remote_, view_)) return;
+    if (slice_tool_.take(event, place_, client_.session(), window_.theme().scale, view_.labs.slice)) return;
+    if (inspect_tool_.take(event, place_, client_, view_)) return;
+    if (lessons_.take(event, client_, view_)) return;
     switch (event.kind) {
         case Kind::Character:
             if (!files_.dialog && !list_open_) type(event);
@@ -173,8 +173,8 @@ void Workbench::act_on(const InputEvent& event) {
         case Kind::Wheel: {
             const ImVec2 at = ImGui::GetIO().MousePos;
             if (place_.at(static_cast<double>(at.x), static_cast<double>(at.y)) == nullptr) break;
-            const double radius = wheel_radius(remote_.scene().brush.radius, event.y);
-            remote_.set(parameter("brush.radius"), radius);
+            const double radius = wheel_radius(client_.scene().brush.radius, event.y);
+            client_.set(parameter("brush.radius"), radius);
             break;
         }
         default:
@@ -211,21 +211,21 @@ void Workbench::escape() {
 
 /// Along the timeline.
 void Workbench::travel(int key) {
-    if (key == GLFW_KEY_LEFT) walk(remote_, -1);
-    if (key == GLFW_KEY_RIGHT) walk(remote_, 1);
-    if (key == GLFW_KEY_HOME) remote_.seek(0);
-    if (key == GLFW_KEY_END) remote_.seek(remote_.session().last_step);
+    if (key == GLFW_KEY_LEFT) walk(client_, -1);
+    if (key == GLFW_KEY_RIGHT) walk(client_, 1);
+    if (key == GLFW_KEY_HOME) client_.seek(0);
+    if (key == GLFW_KEY_END) client_.seek(client_.session().last_step);
 }
 
 void Workbench::type(const InputEvent& event) {
-    if (event.code == '.') return remote_.step();
+    if (event.code == '.') return client_.step();
     if (event.repeated) return;
     switch (event.code) {
         case ' ':
-            return remote_.play(!remote_.playing());
+            return client_.play(!client_.playing());
         case 'r':
         case 'R':
-            return remote_.restart();
+            return client_.restart();
         case 'h':
         case 'H':
             view_.help = !view_.help;
@@ -247,16 +247,16 @@ void Workbench::type(const InputEvent& event) {
     const int digit = event.code - '1';
     if (digit < 0 || digit >= static_cast<int>(presets().size())) return;
     const Preset& preset = presets()[static_cast<std::size_t>(digit)];
-    remote_.load_scene(preset.key, preset.scene());
+    client_.load_scene(preset.key, preset.scene());
 }
 
 PanelContext Workbench::context() {
-    return {window_.theme(), remote_, view_,  measure_view_, files_, history_,
+    return {window_.theme(), client_, view_,  measure_view_, files_, history_,
             frames_,         fields_, names_, help_,         trace_, slabs_};
 }
 
 void Workbench::draw() {
-    const SessionSnapshot& session = remote_.session();
+    const SessionSnapshot& session = client_.session();
     const Theme& theme = window_.theme();
     PanelContext context = this->context();
     slabs_.clear();

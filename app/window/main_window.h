@@ -68,7 +68,7 @@ class Workbench {
     LaneNames names_;
     std::vector<StepMeasures> measures_;
     std::unique_ptr<Player> player_;
-    Remote remote_;
+    SessionClient client_;
     FileService file_service_;
     LessonWalk lessons_;
 };

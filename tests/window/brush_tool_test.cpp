@@ -23,19 +23,19 @@ struct Painted {
 
     Player player{{.setup = {.scene = empty()}}, 1};
     Notices notices;
-    Remote remote{player, notices};
+    SessionClient client{player, notices};
     BrushTool brush;
     FieldPlacement field{.tiles = {{0, {100, 50, 400, 400}, {100, 50, 400, 400}, 40, 40}}};
 
-    Painted() { remote.begin_frame(); }
+    Painted() { client.begin_frame(); }
     void event(Kind kind, double x, double y, int button = 0, int mods = 0) {
         brush.take({.kind = kind, .x = x, .y = y, .code = button, .mods = mods}, field);
     }
     /// Waits until the paused run has taken what was sent.
     bool eventually(const std::function<bool(const Snapshot&)>& is_so) {
         return whorl::eventually([&] {
-            remote.begin_frame();
-            return is_so(remote.snapshot());
+            client.begin_frame();
+            return is_so(client.snapshot());
         });
     }
 };
@@ -46,20 +46,20 @@ TEST(BrushTool, AQuickStrokeLeavesAContinuousTrail) {
     p.event(Kind::Move, 300, 250);
     p.event(Kind::Move, 450, 250);
     p.event(Kind::Release, 450, 250);
-    p.brush.end_frame(p.remote);
+    p.brush.end_frame(p.client);
     ASSERT_TRUE(p.eventually([](const Snapshot& s) { return s.density(34, 20) > 0.1f; }));
-    for (int i = 5; i <= 34; ++i) EXPECT_GT(p.remote.snapshot().density(i, 20), 0.3f) << "at cell " << i;
-    EXPECT_GT(p.remote.snapshot().velocity.u(20, 20), 1.0f) << "the fluid is dragged along";
-    EXPECT_LE(p.remote.snapshot().velocity.u(20, 20), 40.0f) << "but not as fast as the hand";
+    for (int i = 5; i <= 34; ++i) EXPECT_GT(p.client.snapshot().density(i, 20), 0.3f) << "at cell " << i;
+    EXPECT_GT(p.client.snapshot().velocity.u(20, 20), 1.0f) << "the fluid is dragged along";
+    EXPECT_LE(p.client.snapshot().velocity.u(20, 20), 40.0f) << "but not as fast as the hand";
 }
 
 TEST(BrushTool, TheRightButtonOnlyPushes) {
     Painted p;
     p.event(Kind::Press, 200, 250, GLFW_MOUSE_BUTTON_RIGHT);
     p.event(Kind::Move, 300, 250);
-    p.brush.end_frame(p.remote);
+    p.brush.end_frame(p.client);
     ASSERT_TRUE(p.eventually([](const Snapshot& s) { return s.velocity.u(15, 20) > 1.0f; }));
-    EXPECT_EQ(p.remote.snapshot().density(15, 20), 0.0f);
+    EXPECT_EQ(p.client.snapshot().density(15, 20), 0.0f);
 }
 
 TEST(BrushTool, ShiftPaintsObstaclesAndControlErasesThem) {
@@ -67,10 +67,10 @@ TEST(BrushTool, ShiftPaintsObstaclesAndControlErasesThem) {
     const auto solid = [](const Snapshot& s) { return s.solids[20 * 40 + 20] != 0; };
     p.event(Kind::Press, 305, 245, GLFW_MOUSE_BUTTON_LEFT, GLFW_MOD_SHIFT);
     p.event(Kind::Release, 305, 245);
-    p.brush.end_frame(p.remote);
+    p.brush.end_frame(p.client);
     ASSERT_TRUE(p.eventually(solid));
     p.event(Kind::Press, 305, 245, GLFW_MOUSE_BUTTON_LEFT, GLFW_MOD_CONTROL);
-    p.brush.end_frame(p.remote);
+    p.brush.end_frame(p.client);
     EXPECT_TRUE(p.eventually([&](const Snapshot& s) { return !solid(s); }));
 }
 
@@ -78,13 +78,13 @@ TEST(BrushTool, IgnoresWhatIsNotOnTheField) {
     Painted p;
     p.event(Kind::Press, 50, 250);
     p.event(Kind::Move, 300, 250);
-    p.brush.end_frame(p.remote);
+    p.brush.end_frame(p.client);
     p.field.covered = true;
     p.event(Kind::Press, 300, 250);
-    p.brush.end_frame(p.remote);
+    p.brush.end_frame(p.client);
     EXPECT_TRUE(lastingly([&] {
-        p.remote.begin_frame();
-        return p.remote.session().serial == 0;
+        p.client.begin_frame();
+        return p.client.session().serial == 0;
     }));
 }
 

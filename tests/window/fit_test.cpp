@@ -81,7 +81,7 @@ void open_all_panels(LanesWindow& window) {
 std::vector<std::string> names_in(const LanesWindow& window) {
     std::vector<std::string> names;
     for (std::size_t k = 0; k < window.names.size(); ++k) names.push_back(window.names.name(k));
-    for (const LaneSetup& lane : window.remote.setup().lanes) {
+    for (const LaneSetup& lane : window.client.setup().lanes) {
         if (!lane.name.empty()) names.push_back(lane.name);
     }
     for (const Experiment& e : experiments()) names.push_back(scene_of(e).title);
@@ -164,15 +164,15 @@ TEST_P(FitLessons, ListAndEveryStep) {
     LessonWalk walk;
     window.view.lessons = true;
     window.instead = [&](PanelContext& context) { draw_lesson_panel(context, walk); };
-    walk.set_open(true, window.remote);
+    walk.set_open(true, window.client);
     for (int frame = 0; frame < 3; ++frame) window.frame();
     expect_whole("list of lessons");
     for (const Lesson& lesson : lessons()) {
-        walk.begin(lesson, window.remote, window.view);
+        walk.begin(lesson, window.client, window.view);
         for (std::size_t k = 0; k < lesson.steps.size(); ++k) {
             for (int frame = 0; frame < 3; ++frame) window.frame();
             expect_whole(lesson.key + " " + std::to_string(k + 1), names_in(window));
-            walk.next(window.remote, window.view);
+            walk.next(window.client, window.view);
         }
     }
 }
@@ -192,7 +192,7 @@ TEST_P(FitInspector, BesideALesson) {
             window.view.lessons = window.view.labs.inspector.open = true;
             window.view.labs.inspector.pick({11.3, 1.25});
             window.instead = [&](PanelContext& context) { draw_lesson_panel(context, walk); };
-            ASSERT_TRUE(window.eventually([&] { return window.remote.snapshot().explanation.has_value(); }));
+            ASSERT_TRUE(window.eventually([&] { return window.client.snapshot().explanation.has_value(); }));
             for (int frame = 0; frame < 3; ++frame) window.frame();
             expect_whole(std::string(experiment_name) + " " + schemes, names_in(window));
         }

@@ -99,7 +99,7 @@ TEST_F(Help, IsThereForColumnsTabsAndLists) {
             window.click(list);
             window.LanesWindow::click({500, 2590});
         }
-        window.view.renaming = {.id = window.remote.ids()[0]};
+        window.view.renaming = {.id = window.client.ids()[0]};
         window.frames_of(3);
         EXPECT_GT(window.heard.size(), 60u);
         window.expect_help(std::to_string(lanes) + " lanes");
@@ -156,12 +156,12 @@ TEST_F(Help, IsThereInLessons) {
     LessonWalk walk;
     window.instead = [&](PanelContext& context) { draw_lesson_panel(context, walk); };
     window.frames_of(3);
-    walk.begin(lessons().front(), window.remote, window.view);
+    walk.begin(lessons().front(), window.client, window.view);
     window.frames_of(3);
-    while (!walk.last()) walk.next(window.remote, window.view);
+    while (!walk.last()) walk.next(window.client, window.view);
     window.frames_of(3);
-    walk.begin(lessons().back(), window.remote, window.view);
-    while (!walk.last()) walk.next(window.remote, window.view);
+    walk.begin(lessons().back(), window.client, window.view);
+    while (!walk.last()) walk.next(window.client, window.view);
     window.frames_of(3);
     EXPECT_TRUE(window.heard.count("lesson-next"));
     window.expect_help("lessons");

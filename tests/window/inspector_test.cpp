@@ -40,7 +40,7 @@ struct Inspected {
 
     explicit Inspected(Recording recording, int width = 1280, int height = 800)
         : ui(width, height, 1), window(ui, std::move(recording)) {
-        window.eventually([&] { return window.remote.session().step == 5; });
+        window.eventually([&] { return window.client.session().step == 5; });
     }
     bool event(Kind kind, ImVec2 at, int code = GLFW_MOUSE_BUTTON_LEFT, int mods = 0) {
         return tool.take({.kind = kind,
@@ -48,12 +48,12 @@ struct Inspected {
                           .y = static_cast<double>(at.y),
                           .code = code,
                           .mods = mods},
-                         window.place, window.remote, window.view);
+                         window.place, window.client, window.view);
     }
     /// The pixel at the centre of a cell of a lane.
     ImVec2 pixel(std::size_t lane, int i, int j) const {
         const FieldTile& tile = window.place.tiles[lane];
-        const double h = window.remote.session().lanes[lane].grid.h;
+        const double h = window.client.session().lanes[lane].grid.h;
         const glm::dvec2 at = window.place.pixel(tile, {(i + 0.5) * h, (j + 0.5) * h});
         return {static_cast<float>(at.x), static_cast<float>(at.y)};
     }
@@ -64,11 +64,11 @@ struct Inspected {
         return taken;
     }
     const Explanation& explained(std::size_t lane) const {
-        return *window.remote.session().lanes[lane].explanation;
+        return *window.client.session().lanes[lane].explanation;
     }
     bool wait_for(std::size_t lane, int i, int j) {
         return window.eventually([&] {
-            const auto& e = window.remote.session().lanes[lane].explanation;
+            const auto& e = window.client.session().lanes[lane].explanation;
             return e && e->i == i && e->j == j && e->quantity == inspector.node.quantity;
         });
     }
@@ -80,7 +80,7 @@ TEST(Inspector, AClickInAnyLaneExplainsThatCellInAllOfThem) {
     in.inspector.open = true;
     in.window.frame();
     EXPECT_TRUE(in.click(1, 12, 3));
-    EXPECT_EQ(in.window.remote.selected(), 1u);
+    EXPECT_EQ(in.window.client.selected(), 1u);
     ASSERT_TRUE(in.wait_for(1, 12, 3));
     ASSERT_TRUE(in.wait_for(0, 12, 3));
     EXPECT_EQ(in.explained(0).steps.size(), 2u);
@@ -93,7 +93,7 @@ TEST(Inspector, AClickInAnyLaneExplainsThatCellInAllOfThem) {
         const Explanation direct =
             explain(*session.lane(k).simulation().last_advection(), Quantity::Density, 12, 3, pool);
         EXPECT_EQ(write_text(in.explained(k)), write_text(direct));
-        EXPECT_EQ(in.explained(k).now, in.window.remote.session().lanes[k].density(12, 3));
+        EXPECT_EQ(in.explained(k).now, in.window.client.session().lanes[k].density(12, 3));
     }
 }
 
@@ -104,12 +104,12 @@ TEST(Inspector, FollowsTheRun) {
     in.click(0, 12, 3);
     ASSERT_TRUE(in.wait_for(0, 12, 3));
     in.window.player.step_once();
-    ASSERT_TRUE(in.window.eventually([&] { return in.window.remote.session().step == 6; }));
-    ASSERT_TRUE(in.window.remote.snapshot().explanation);
-    EXPECT_EQ(in.explained(0).now, in.window.remote.snapshot().density(12, 3));
+    ASSERT_TRUE(in.window.eventually([&] { return in.window.client.session().step == 6; }));
+    ASSERT_TRUE(in.window.client.snapshot().explanation);
+    EXPECT_EQ(in.explained(0).now, in.window.client.snapshot().density(12, 3));
     // Closed, it costs nothing more.
     in.inspector.open = false;
-    EXPECT_TRUE(in.window.eventually([&] { return !in.window.remote.snapshot().explanation; }));
+    EXPECT_TRUE(in.window.eventually([&] { return !in.window.client.snapshot().explanation; }));
 }
 
 TEST(Inspector, ADragPicksAsItGoesAndShiftAndAnArrowGoOn) {
@@ -250,19 +250,19 @@ TEST(Inspector, CurvesAreInspectedToo) {
     Inspected in(stepped("translation-1d"));
     in.inspector.open = true;
     in.window.frame();
-    EXPECT_TRUE(inspected_marks({in.ui.theme, in.window.remote, in.window.view, in.window.measure_view,
+    EXPECT_TRUE(inspected_marks({in.ui.theme, in.window.client, in.window.view, in.window.measure_view,
                                  in.window.files, in.window.history, in.window.frames, in.window.fields,
                                  in.window.names, in.window.hover, in.window.trace, in.window.slabs})
                     .empty());
     const float middle = in.window.layout.field.x + 0.5f * in.window.layout.field.width;
     in.window.click({middle, in.window.layout.top + 0.5f * in.window.layout.height});
     ASSERT_TRUE(in.inspector.picked);
-    ASSERT_TRUE(in.window.eventually([&] { return in.window.remote.snapshot().explanation.has_value(); }));
+    ASSERT_TRUE(in.window.eventually([&] { return in.window.client.snapshot().explanation.has_value(); }));
     const int i = in.explained(0).i;
     EXPECT_NEAR(i, 12, 2);
-    EXPECT_EQ(in.explained(0).now, in.window.remote.snapshot().density(i, 0));
+    EXPECT_EQ(in.explained(0).now, in.window.client.snapshot().density(i, 0));
     // Two samples, where they are read, and the node.
-    EXPECT_EQ(inspected_marks({in.ui.theme, in.window.remote, in.window.view, in.window.measure_view,
+    EXPECT_EQ(inspected_marks({in.ui.theme, in.window.client, in.window.view, in.window.measure_view,
                                in.window.files, in.window.history, in.window.frames, in.window.fields,
                                in.window.names, in.window.hover, in.window.trace, in.window.slabs})
                   .size(),
@@ -277,19 +277,19 @@ TEST(Inspector, AClickAsksTheLaneWhoseCurveIsNearest) {
     recording.step = 60;
     HeadlessUi ui(1280, 800, 1);
     LanesWindow window(ui, recording);
-    ASSERT_TRUE(window.eventually([&] { return window.remote.session().step == 60; }));
+    ASSERT_TRUE(window.eventually([&] { return window.client.session().step == 60; }));
     Inspector& inspector = window.view.labs.inspector;
     inspector.open = true;
     window.frame();
     constexpr std::size_t low = 0, high = 2;
-    const auto row = [&](std::size_t k) { return window.remote.session().lanes[k].density.row(0); };
-    const int width = window.remote.snapshot().grid.nx;
+    const auto row = [&](std::size_t k) { return window.client.session().lanes[k].density.row(0); };
+    const int width = window.client.snapshot().grid.nx;
     const auto peak = std::max_element(row(high), row(high) + width) - row(high);
     ASSERT_GT(row(high)[peak], row(low)[peak] + 0.2f);
     // Which sample is under the pointer is the plot's own business: go along until it is the peak.
     const Layout& at = window.layout;
     float x = at.field.x;
-    while (!inspector.picked || std::abs(inspector.node.at.x / window.remote.snapshot().grid.h - 0.5 -
+    while (!inspector.picked || std::abs(inspector.node.at.x / window.client.snapshot().grid.h - 0.5 -
                                          static_cast<double>(peak)) > 0.1) {
         x += 4;
         ASSERT_LT(x, at.field.x + at.field.width);
@@ -298,20 +298,20 @@ TEST(Inspector, AClickAsksTheLaneWhoseCurveIsNearest) {
     // Down from above all curves, the higher one comes first, and then the lower one.
     const auto selected = [&](float down) {
         window.click({x, at.top + down * at.height});
-        return window.remote.selected();
+        return window.client.selected();
     };
     EXPECT_EQ(selected(0.15f), high);
     float down = 0.15f;
     while (down < 0.9f && selected(down) == high) down += 0.02f;
-    EXPECT_EQ(window.remote.selected(), low) << "and not the one that it hides";
+    EXPECT_EQ(window.client.selected(), low) << "and not the one that it hides";
     EXPECT_GT(down, 0.2f);
     ASSERT_TRUE(window.eventually([&] {
-        const auto& e = window.remote.snapshot().explanation;
+        const auto& e = window.client.snapshot().explanation;
         return e && e->i == peak;
     }));
-    EXPECT_EQ(window.remote.snapshot().explanation->now, static_cast<double>(row(low)[peak]));
+    EXPECT_EQ(window.client.snapshot().explanation->now, static_cast<double>(row(low)[peak]));
     // Of curves on top of each other the selected one stays so.
-    window.remote.select(1);
+    window.client.select(1);
     window.frame();
     EXPECT_EQ(selected(down), 1u);
 }
@@ -344,12 +344,12 @@ TEST(Inspector, SaysWhyThereIsNothingToTell) {
     window.view.labs.inspector.open = true;
     window.view.labs.inspector.pick({12, 12});
     window.frame();
-    EXPECT_FALSE(window.remote.snapshot().explanation);
+    EXPECT_FALSE(window.client.snapshot().explanation);
     window.player.step_once();
-    ASSERT_TRUE(window.eventually([&] { return window.remote.snapshot().explanation.has_value(); }));
+    ASSERT_TRUE(window.eventually([&] { return window.client.snapshot().explanation.has_value(); }));
     // A flow that is given is not moved.
     window.view.labs.inspector.node.quantity = Quantity::U;
-    EXPECT_TRUE(window.eventually([&] { return !window.remote.snapshot().explanation; }));
+    EXPECT_TRUE(window.eventually([&] { return !window.client.snapshot().explanation; }));
     window.frame();
 }
 

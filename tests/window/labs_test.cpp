@@ -267,7 +267,7 @@ TEST(LabWindows, NothingIsCutOffOnAnyScreen) {
             window.view.labs.slice.compares_interpolations = true;
             window.view.labs.inspector.pick({12, 9});
             window.player.step_once();
-            ASSERT_TRUE(window.eventually([&] { return window.remote.session().step == 1; }));
+            ASSERT_TRUE(window.eventually([&] { return window.client.session().step == 1; }));
             for (int frame = 0; frame < 3; ++frame) window.frame();
             const ImGuiWindow* drawn = ImGui::FindWindowByName(lab.label);
             ASSERT_NE(drawn, nullptr);

@@ -81,7 +81,7 @@ TEST(LanesWindow, FieldsShareTheColumnInEveryModeAndSize) {
                                               : mode == Compare::One      ? 1u
                                                                           : std::min(2u, unsigned(count));
                     expect_in_place(window, shown, height / width);
-                    painter.draw(window.remote.session(), window.fields, window.view, window.place, ui.theme,
+                    painter.draw(window.client.session(), window.fields, window.view, window.place, ui.theme,
                                  screen.height);
                 }
             }
@@ -112,7 +112,7 @@ TEST(LanesWindow, EveryControlHasAKeyInTheTrace) {
         LanesWindow window(ui, {.setup = {.scene = box(40, 40, 20), .lanes = lanes(3)}}, path);
         window.view.window = {{0.25f, 0.25f}, {0.75f, 0.75f}};
         window.frame();
-        window.view.renaming.id = window.remote.ids()[1];
+        window.view.renaming.id = window.client.ids()[1];
         window.frame();
     }
     std::ifstream file(path);
@@ -156,11 +156,11 @@ TEST(LanesWindow, AClickOnATitleSelectsAndTabShowsTheLaneBefore) {
         return ImVec2{static_cast<float>(rect.x) + 20, static_cast<float>(rect.y) - 10};
     };
     window.click(title_of(1));
-    EXPECT_EQ(window.remote.selected(), 1u);
-    EXPECT_EQ(window.remote.other(), 0u) << "the one before";
+    EXPECT_EQ(window.client.selected(), 1u);
+    EXPECT_EQ(window.client.other(), 0u) << "the one before";
     window.click(title_of(3));
-    EXPECT_EQ(window.remote.selected(), 3u);
-    EXPECT_EQ(window.remote.other(), 1u);
+    EXPECT_EQ(window.client.selected(), 3u);
+    EXPECT_EQ(window.client.other(), 1u);
     window.view.compare = Compare::One;
     window.frame();
     const PixelRect alone = window.place.tiles[0].rect;
@@ -170,7 +170,7 @@ TEST(LanesWindow, AClickOnATitleSelectsAndTabShowsTheLaneBefore) {
     EXPECT_EQ(window.place.tiles[0].lane, 1u);
     EXPECT_EQ(window.place.tiles[0].rect.x, alone.x);
     EXPECT_EQ(window.place.tiles[0].rect.width, alone.width);
-    EXPECT_EQ(window.remote.selected(), 3u);
+    EXPECT_EQ(window.client.selected(), 3u);
 }
 
 TEST(LanesWindow, OneStrokeOnAnyTileGoesIntoAllLanes) {
@@ -182,8 +182,8 @@ TEST(LanesWindow, OneStrokeOnAnyTileGoesIntoAllLanes) {
     for (const ViewWindow& part : {ViewWindow{}, ViewWindow{{0.5f, 0.5f}, {1.0f, 1.0f}}}) {
         window.view.window = part;
         for (std::size_t lane = 0; lane < 3; ++lane) {
-            window.remote.restart();
-            ASSERT_TRUE(window.eventually([&] { return window.remote.snapshot().density(30, 28) == 0; }));
+            window.client.restart();
+            ASSERT_TRUE(window.eventually([&] { return window.client.snapshot().density(30, 28) == 0; }));
             const PixelRect rect = window.place.tiles[lane].rect;
             // From (22, 28) to (30, 28), length units.
             const auto event = [&](Kind kind, double x) {
@@ -195,9 +195,9 @@ TEST(LanesWindow, OneStrokeOnAnyTileGoesIntoAllLanes) {
             brush.take(event(Kind::Press, 22), window.place);
             brush.take(event(Kind::Move, 30), window.place);
             brush.take(event(Kind::Release, 30), window.place);
-            brush.end_frame(window.remote);
-            EXPECT_TRUE(window.eventually([&] { return window.remote.snapshot().density(26, 28) > 0.1f; }));
-            const auto& snapshots = window.remote.session().lanes;
+            brush.end_frame(window.client);
+            EXPECT_TRUE(window.eventually([&] { return window.client.snapshot().density(26, 28) > 0.1f; }));
+            const auto& snapshots = window.client.session().lanes;
             for (int i = 22; i < 30; ++i) {
                 EXPECT_GT(snapshots[0].density(i, 28), 0.1f);
                 EXPECT_EQ(snapshots[1].density(i, 28), snapshots[0].density(i, 28));
@@ -215,15 +215,15 @@ TEST(LanesWindow, DifferencesAreFromTheReferenceAveragedToTheLane) {
     LanesWindow window(ui,
                        {.setup = {.scene = scene_of(experiment("rotation")), .lanes = all, .reference = 1}});
     for (int k = 0; k < 3; ++k) window.player.step_once();
-    ASSERT_TRUE(window.eventually([&] { return window.remote.session().step == 3; }));
+    ASSERT_TRUE(window.eventually([&] { return window.client.session().step == 3; }));
     window.view.difference = true;
     for (const View& view : views()) {
-        if (!available(view, window.remote.snapshot())) continue;
+        if (!available(view, window.client.snapshot())) continue;
         window.view.shown = &view;
         window.frame();
         Field coarse_scratch, fine_scratch;
-        const Snapshot& coarse = window.remote.session().lanes[0];
-        const Snapshot& fine = window.remote.session().lanes[1];
+        const Snapshot& coarse = window.client.session().lanes[0];
+        const Snapshot& fine = window.client.session().lanes[1];
         const Field& of_coarse = *view.field(coarse, coarse_scratch);
         const Field& of_fine = *view.field(fine, fine_scratch);
         const Field& shown = *window.fields.of(0);
@@ -255,12 +255,12 @@ TEST(LanesWindow, OneRangeForAllLanes) {
     all[1].overrides = {{"alpha", "5"}, {"beta", "1"}};
     LanesWindow window(ui, {.setup = {.scene = scene_of(experiment("plume")), .lanes = all}});
     for (int k = 0; k < 5; ++k) window.player.step_once();
-    ASSERT_TRUE(window.eventually([&] { return window.remote.session().step == 5; }));
+    ASSERT_TRUE(window.eventually([&] { return window.client.session().step == 5; }));
     window.view.shown = &view("speed");
     window.frame();
     float largest = 0;
     for (std::size_t k = 0; k < 3; ++k) {
-        const Snapshot& s = window.remote.session().lanes[k];
+        const Snapshot& s = window.client.session().lanes[k];
         largest = std::max(largest, view("speed").automatic_range(s, s.speed).hi);
     }
     EXPECT_EQ(window.view.range.ends().hi, largest);
@@ -272,19 +272,19 @@ TEST(LanesWindow, AStoppedLaneSaysSoAndTheOthersGoOn) {
     // Air so hot that its lift overflows where heat lifts at all.
     all[0].overrides = {{"beta", "1000"}};
     LanesWindow window(ui, {.setup = {.scene = box(40, 40, 20), .lanes = all}});
-    window.remote.push(
+    window.client.push(
         SmokeStroke{.along = {20, 20, 20, 20}, .radius = 3, .density = 1, .temperature = 3e37});
     window.player.play(true);
     ASSERT_TRUE(window.eventually([&] {
         window.player.begin_frame();
-        return window.remote.session().lanes[0].failure.has_value();
+        return window.client.session().lanes[0].failure.has_value();
     }));
-    const long then = window.remote.session().step;
+    const long then = window.client.session().step;
     EXPECT_TRUE(window.eventually([&] {
         window.player.begin_frame();
-        return window.remote.session().lanes[1].measures.step > then + 3;
+        return window.client.session().lanes[1].measures.step > then + 3;
     }));
-    EXPECT_FALSE(window.remote.session().lanes[1].failure);
+    EXPECT_FALSE(window.client.session().lanes[1].failure);
 }
 
 TEST(LanesWindow, CurvesOfAllLanesInOneView) {

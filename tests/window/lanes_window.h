@@ -17,14 +17,14 @@ struct LanesWindow {
     LanesWindow(HeadlessUi& headless, Recording recording, const std::string& trace_path = {})
         : ui(headless), player(std::move(recording), 1), trace(trace_path) {
         frames.add(16.7, 5);
-        remote.begin_frame();
+        client.begin_frame();
     }
 
     /// A frame, as the workbench makes it.
     void frame() {
-        remote.watch(view.watch());
-        remote.begin_frame();
-        const SessionSnapshot& session = remote.session();
+        client.watch(view.watch());
+        client.begin_frame();
+        const SessionSnapshot& session = client.session();
         std::vector<StepMeasures> measures;
         const bool new_run = player.take_measures(measures);
         history.take(measures, new_run);
@@ -32,7 +32,7 @@ struct LanesWindow {
         fields.update(session, *view.shown, view.difference);
         view.range.follow(*view.shown, view.difference, fields.span(), ColourRange::at_once);
         slabs.clear();
-        PanelContext context{ui.theme, remote, view,  measure_view, files, history,
+        PanelContext context{ui.theme, client, view,  measure_view, files, history,
                              frames,   fields, names, hover,        trace, slabs};
         const ImVec2 size = ImGui::GetIO().DisplaySize;
         layout = lay_out(ui.theme, field_shape(session, view), size.x, size.y,
@@ -76,7 +76,7 @@ struct LanesWindow {
     HeadlessUi& ui;
     Player player;
     Notices notices;
-    Remote remote{player, notices};
+    SessionClient client{player, notices};
     ViewState view;
     MeasureView measure_view;
     FileRequests files;

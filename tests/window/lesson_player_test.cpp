@@ -50,16 +50,16 @@ TEST(LessonPanelWalk, ShowsEachStepInOneGo) {
     HeadlessUi ui(1024, 768, 1.0f);
     LessonWindow window(ui);
     const Lesson lesson = walked_lesson();
-    window.walk.begin(lesson, window.remote, window.view);
+    window.walk.begin(lesson, window.client, window.view);
     EXPECT_TRUE(window.eventually([&] { return window.shows(lesson.steps[0]); }));
-    EXPECT_EQ(window.remote.loaded(), "rest");
+    EXPECT_EQ(window.client.loaded(), "rest");
     window.press(GLFW_KEY_PAGE_UP);
     EXPECT_TRUE(window.walk.first());
     window.press(GLFW_KEY_PAGE_DOWN);
     // The exact solution is known at the step's moment alone, and shown there.
     EXPECT_TRUE(window.eventually([&] { return window.shows(lesson.steps[1]); }));
-    EXPECT_EQ(window.remote.selected(), 0u);
-    EXPECT_EQ(window.remote.other(), 1u);
+    EXPECT_EQ(window.client.selected(), 0u);
+    EXPECT_EQ(window.client.other(), 1u);
     window.press(GLFW_KEY_PAGE_DOWN);
     EXPECT_TRUE(window.eventually([&] { return window.shows(lesson.steps[2]); }));
     EXPECT_TRUE(window.walk.last());
@@ -77,17 +77,17 @@ TEST(LessonPanelWalk, ShowsAgainWhatWasPlayedWith) {
     HeadlessUi ui(1024, 768, 1.0f);
     LessonWindow window(ui);
     const Lesson lesson = walked_lesson();
-    window.walk.begin(lesson, window.remote, window.view);
-    window.walk.next(window.remote, window.view);
-    window.walk.next(window.remote, window.view);
+    window.walk.begin(lesson, window.client, window.view);
+    window.walk.next(window.client, window.view);
+    window.walk.next(window.client, window.view);
     ASSERT_TRUE(window.eventually([&] { return window.shows(lesson.steps[2]); }));
-    window.remote.set(parameter("beta"), 0.1);
-    window.remote.play(true);
+    window.client.set(parameter("beta"), 0.1);
+    window.client.play(true);
     window.view.shown = &view("speed");
     window.view.compare = Compare::One;
-    ASSERT_TRUE(window.eventually([&] { return window.remote.session().step > 20; }));
+    ASSERT_TRUE(window.eventually([&] { return window.client.session().step > 20; }));
     EXPECT_EQ(window.view.shown, &view("speed"));
-    window.walk.show(window.remote, window.view);
+    window.walk.show(window.client, window.view);
     EXPECT_TRUE(window.eventually([&] { return window.shows(lesson.steps[2]); }));
 }
 
@@ -95,7 +95,7 @@ TEST(LessonPanelWalk, TurnsPagesFasterThanRunsBegin) {
     HeadlessUi ui(1024, 768, 1.0f);
     LessonWindow window(ui);
     const Lesson lesson = walked_lesson();
-    window.walk.begin(lesson, window.remote, window.view);
+    window.walk.begin(lesson, window.client, window.view);
     for (int round = 0; round < 5; ++round) {
         window.press(GLFW_KEY_PAGE_DOWN);
         window.press(GLFW_KEY_PAGE_DOWN);
@@ -108,16 +108,16 @@ TEST(LessonPanelWalk, GoesFromALessonToTheNextAndBackToTheList) {
     HeadlessUi ui(1024, 768, 1.0f);
     LessonWindow window(ui);
     const auto to_its_end = [&] {
-        while (!window.walk.last()) window.walk.next(window.remote, window.view);
+        while (!window.walk.last()) window.walk.next(window.client, window.view);
         window.frame();
     };
-    window.walk.begin(lessons()[0], window.remote, window.view);
+    window.walk.begin(lessons()[0], window.client, window.view);
     to_its_end();
     window.click("lesson-next");
     EXPECT_EQ(window.walk.lesson(), &lessons()[1]);
     EXPECT_EQ(window.walk.place(), 0u);
-    EXPECT_TRUE(window.walk.keeps_run(window.remote));
-    window.walk.begin(lessons().back(), window.remote, window.view);
+    EXPECT_TRUE(window.walk.keeps_run(window.client));
+    window.walk.begin(lessons().back(), window.client, window.view);
     to_its_end();
     window.click("lesson-next");
     EXPECT_EQ(window.walk.lesson(), nullptr);
@@ -128,13 +128,13 @@ TEST(LessonPanelWalk, GoesFromALessonToTheNextAndBackToTheList) {
 void make_own_run(LessonWindow& window) {
     Scene scene;
     scene.resolution = 16;
-    window.remote.load("own", {.setup = {scene, {LaneSetup{.name = "A"}, LaneSetup{.name = "B"}}}});
-    ASSERT_TRUE(window.eventually([&] { return window.remote.session().lanes.size() == 2; }));
-    window.remote.play(true);
-    ASSERT_TRUE(window.eventually([&] { return window.remote.session().step >= 5; }));
-    window.remote.set(parameter("beta"), 0.1);
-    ASSERT_TRUE(window.eventually([&] { return window.remote.session().step >= 20; }));
-    window.remote.select(1);
+    window.client.load("own", {.setup = {scene, {LaneSetup{.name = "A"}, LaneSetup{.name = "B"}}}});
+    ASSERT_TRUE(window.eventually([&] { return window.client.session().lanes.size() == 2; }));
+    window.client.play(true);
+    ASSERT_TRUE(window.eventually([&] { return window.client.session().step >= 5; }));
+    window.client.set(parameter("beta"), 0.1);
+    ASSERT_TRUE(window.eventually([&] { return window.client.session().step >= 20; }));
+    window.client.select(1);
     window.view.shown = &view("speed");
     window.view.compare = Compare::Wipe;
     window.view.wipe = 0.25f;
@@ -143,10 +143,10 @@ void make_own_run(LessonWindow& window) {
 
 /// The bits of a step of the run on screen.
 std::uint64_t digest_at(LessonWindow& window, long step) {
-    window.remote.seek(step);
+    window.client.seek(step);
     EXPECT_TRUE(
-        window.eventually([&] { return !window.remote.sought() && window.remote.session().step == step; }));
-    return window.remote.session().digest();
+        window.eventually([&] { return !window.client.sought() && window.client.session().step == step; }));
+    return window.client.session().digest();
 }
 
 TEST(LessonPanelWalk, GivesTheRunBackThatItTookThePlaceOf) {
@@ -156,39 +156,39 @@ TEST(LessonPanelWalk, GivesTheRunBackThatItTookThePlaceOf) {
     const std::uint64_t later = digest_at(window, 20);
     const std::uint64_t digest = digest_at(window, 11);
     const ViewWindow zoom = window.view.window;
-    const long last = window.remote.session().last_step;
+    const long last = window.client.session().last_step;
     const Lesson lesson = walked_lesson();
-    window.walk.begin(lesson, window.remote, window.view);
-    EXPECT_TRUE(window.walk.keeps_run(window.remote));
+    window.walk.begin(lesson, window.client, window.view);
+    EXPECT_TRUE(window.walk.keeps_run(window.client));
     EXPECT_TRUE(window.eventually([&] { return window.shows(lesson.steps[0]); }));
     window.press(GLFW_KEY_PAGE_DOWN);
     EXPECT_TRUE(window.eventually([&] { return window.shows(lesson.steps[1]); }));
     // What is done in a lesson's run, and the way to another lesson, leave it kept.
-    window.remote.restart();
-    window.remote.set(parameter("beta"), 0.3);
+    window.client.restart();
+    window.client.set(parameter("beta"), 0.3);
     window.walk.leave();
     window.frame();
-    EXPECT_TRUE(window.walk.keeps_run(window.remote));
-    window.walk.begin(lesson, window.remote, window.view);
+    EXPECT_TRUE(window.walk.keeps_run(window.client));
+    window.walk.begin(lesson, window.client, window.view);
     EXPECT_TRUE(window.eventually([&] { return window.shows(lesson.steps[0]); }));
 
-    window.walk.set_open(false, window.remote);
+    window.walk.set_open(false, window.client);
     EXPECT_TRUE(window.eventually([&] {
-        return window.remote.loaded() == "own" && window.remote.session().step == 11 &&
-               !window.remote.sought();
+        return window.client.loaded() == "own" && window.client.session().step == 11 &&
+               !window.client.sought();
     }));
     window.frame();
-    EXPECT_EQ(window.remote.session().digest(), digest);
-    EXPECT_EQ(window.remote.session().last_step, last);
-    EXPECT_FALSE(window.remote.playing()) << "it stood";
+    EXPECT_EQ(window.client.session().digest(), digest);
+    EXPECT_EQ(window.client.session().last_step, last);
+    EXPECT_FALSE(window.client.playing()) << "it stood";
     EXPECT_EQ(window.view.shown, &view("speed"));
     EXPECT_EQ(window.view.compare, Compare::Wipe);
     EXPECT_EQ(window.view.wipe, 0.25f);
     EXPECT_EQ(window.view.window.low, zoom.low);
     EXPECT_EQ(window.view.window.high, zoom.high);
-    EXPECT_EQ(window.remote.selected(), 1u);
+    EXPECT_EQ(window.client.selected(), 1u);
     EXPECT_EQ(digest_at(window, 20), later) << "what was done after the step is there as well";
-    EXPECT_FALSE(window.walk.keeps_run(window.remote));
+    EXPECT_FALSE(window.walk.keeps_run(window.client));
 }
 
 TEST(LessonPanelWalk, GivesBackARunThatPlays) {
@@ -196,19 +196,19 @@ TEST(LessonPanelWalk, GivesBackARunThatPlays) {
     LessonWindow window(ui);
     make_own_run(window);
     const Lesson lesson = walked_lesson();
-    window.walk.begin(lesson, window.remote, window.view);
-    const long at = window.remote.session().step;
+    window.walk.begin(lesson, window.client, window.view);
+    const long at = window.client.session().step;
     // Closed and opened again before the run has come back: it is kept on.
     EXPECT_TRUE(window.eventually([&] { return window.shows(lesson.steps[0]); }));
-    window.walk.set_open(false, window.remote);
+    window.walk.set_open(false, window.client);
     window.frame();
     window.frame();
-    window.walk.begin(lesson, window.remote, window.view);
+    window.walk.begin(lesson, window.client, window.view);
     EXPECT_TRUE(window.eventually([&] { return window.shows(lesson.steps[0]); }));
-    window.walk.set_open(false, window.remote);
+    window.walk.set_open(false, window.client);
     EXPECT_TRUE(window.eventually([&] {
-        return window.remote.loaded() == "own" && window.remote.playing() &&
-               window.remote.session().step > at;
+        return window.client.loaded() == "own" && window.client.playing() &&
+               window.client.session().step > at;
     }));
 }
 
@@ -217,28 +217,28 @@ TEST(LessonPanelWalk, LeavesWhatSomeoneHasLoadedSince) {
     LessonWindow window(ui);
     make_own_run(window);
     const Lesson lesson = walked_lesson();
-    window.walk.begin(lesson, window.remote, window.view);
+    window.walk.begin(lesson, window.client, window.view);
     EXPECT_TRUE(window.eventually([&] { return window.shows(lesson.steps[0]); }));
     Scene other;
     other.resolution = 12;
-    window.remote.load("other", {.setup = {.scene = other}});
-    EXPECT_FALSE(window.walk.keeps_run(window.remote));
+    window.client.load("other", {.setup = {.scene = other}});
+    EXPECT_FALSE(window.walk.keeps_run(window.client));
     // It is kept in its turn when a step takes its place.
-    ASSERT_TRUE(window.eventually([&] { return window.remote.session().setup.scene.resolution == 12; }));
-    window.walk.next(window.remote, window.view);
+    ASSERT_TRUE(window.eventually([&] { return window.client.session().setup.scene.resolution == 12; }));
+    window.walk.next(window.client, window.view);
     EXPECT_TRUE(window.eventually([&] { return window.shows(lesson.steps[1]); }));
-    window.walk.set_open(false, window.remote);
+    window.walk.set_open(false, window.client);
     EXPECT_TRUE(
-        window.eventually([&] { return window.remote.loaded() == "other" && !window.remote.sought(); }));
+        window.eventually([&] { return window.client.loaded() == "other" && !window.client.sought(); }));
 
-    window.walk.begin(lesson, window.remote, window.view);
+    window.walk.begin(lesson, window.client, window.view);
     EXPECT_TRUE(window.eventually([&] { return window.shows(lesson.steps[0]); }));
-    window.remote.load("last", {.setup = {.scene = other}});
-    window.walk.set_open(false, window.remote);
-    ASSERT_TRUE(window.eventually([&] { return window.remote.session().setup.scene.resolution == 12; }));
+    window.client.load("last", {.setup = {.scene = other}});
+    window.walk.set_open(false, window.client);
+    ASSERT_TRUE(window.eventually([&] { return window.client.session().setup.scene.resolution == 12; }));
     for (int k = 0; k < 20; ++k) window.frame();
-    EXPECT_EQ(window.remote.loaded(), "last");
-    EXPECT_EQ(window.remote.session().setup.scene.resolution, 12) << "and it stays";
+    EXPECT_EQ(window.client.loaded(), "last");
+    EXPECT_EQ(window.client.session().setup.scene.resolution, 12) << "and it stays";
 }
 
 TEST(LessonPanelWalk, SaysThatARunIsTooLongToComeBack) {
@@ -246,17 +246,17 @@ TEST(LessonPanelWalk, SaysThatARunIsTooLongToComeBack) {
     LessonWindow window(ui);
     Scene scene;
     scene.resolution = 8;
-    window.remote.load("own", {.setup = {.scene = scene}});
-    ASSERT_TRUE(window.eventually([&] { return window.remote.session().setup.scene.resolution == 8; }));
+    window.client.load("own", {.setup = {.scene = scene}});
+    ASSERT_TRUE(window.eventually([&] { return window.client.session().setup.scene.resolution == 8; }));
     for (std::size_t k = 0; k <= Recording::max_commands; ++k)
         window.player.push(SetParameter{"beta", k % 2 == 0 ? "0.1" : "0.2"});
-    ASSERT_TRUE(window.eventually([&] { return !window.remote.session().complete; }));
+    ASSERT_TRUE(window.eventually([&] { return !window.client.session().complete; }));
     const Lesson lesson = walked_lesson();
-    window.walk.begin(lesson, window.remote, window.view);
+    window.walk.begin(lesson, window.client, window.view);
     EXPECT_TRUE(window.eventually([&] { return window.shows(lesson.steps[0]); }));
-    EXPECT_FALSE(window.walk.keeps_run(window.remote));
+    EXPECT_FALSE(window.walk.keeps_run(window.client));
     EXPECT_EQ(window.notices.shown().size(), 1u);
-    window.walk.set_open(false, window.remote);
+    window.walk.set_open(false, window.client);
     for (int k = 0; k < 20; ++k) window.frame();
     EXPECT_TRUE(window.shows(lesson.steps[0]));
 }

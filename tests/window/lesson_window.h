@@ -15,15 +15,15 @@ namespace whorl::app {
 struct LessonWindow {
     explicit LessonWindow(HeadlessUi& headless) : ui(headless) {
         frames.add(16.7, 5);
-        remote.begin_frame();
+        client.begin_frame();
     }
 
     void frame() {
         player.begin_frame();
-        remote.begin_frame();
-        const SessionSnapshot& session = remote.session();
+        client.begin_frame();
+        const SessionSnapshot& session = client.session();
         // As the window does: it must not take away what a step asks for.
-        if (!available(*view.shown, remote.snapshot())) view.shown = &views().front();
+        if (!available(*view.shown, client.snapshot())) view.shown = &views().front();
         if (session.lanes.size() == 1) {
             view.compare = Compare::SideBySide;
             view.difference = false;
@@ -31,7 +31,7 @@ struct LessonWindow {
         names.update(session.setup);
         fields.update(session, *view.shown, view.difference);
         slabs.clear();
-        PanelContext context{ui.theme, remote, view,  measures, files, history,
+        PanelContext context{ui.theme, client, view,  measures, files, history,
                              frames,   fields, names, hover,    trace, slabs};
         const ImVec2 screen = ImGui::GetIO().DisplaySize;
         const float width = ui.theme.px(lesson_column_width);
@@ -55,7 +55,7 @@ struct LessonWindow {
         });
     }
     void press(int key) {
-        EXPECT_TRUE(walk.take({.kind = InputEvent::Kind::Key, .code = key}, remote, view));
+        EXPECT_TRUE(walk.take({.kind = InputEvent::Kind::Key, .code = key}, client, view));
         frame();
     }
     /// Clicks a control by its name in the trace.
@@ -76,16 +76,16 @@ struct LessonWindow {
         const Compare compare = step.mode == LessonMode::One    ? Compare::One
                                 : step.mode == LessonMode::Wipe ? Compare::Wipe
                                                                 : Compare::SideBySide;
-        return remote.session().setup == step.recording.setup &&
-               remote.session().step == step.recording.step && view.shown == step.view &&
+        return client.session().setup == step.recording.setup &&
+               client.session().step == step.recording.step && view.shown == step.view &&
                view.compare == compare && view.difference == (step.mode == LessonMode::Difference) &&
-               !remote.playing();
+               !client.playing();
     }
 
     HeadlessUi& ui;
     Player player{{.setup = {}}, 1};
     Notices notices;
-    Remote remote{player, notices};
+    SessionClient client{player, notices};
     ViewState view;
     MeasureView measures;
     FileRequests files;

@@ -30,17 +30,17 @@ double sum(const Field& field) {
 TEST(LimitedViews, ShowWhatLimitersChangedAndCostNothingElse) {
     HeadlessUi ui(1280, 800, 1);
     LanesWindow window(ui, clamped_plume());
-    ASSERT_TRUE(window.eventually([&] { return window.remote.session().step == 10; }));
-    const auto limits = [&](std::size_t k) { return window.remote.session().lanes[k].limits.has_value(); };
+    ASSERT_TRUE(window.eventually([&] { return window.client.session().step == 10; }));
+    const auto limits = [&](std::size_t k) { return window.client.session().lanes[k].limits.has_value(); };
     EXPECT_FALSE(limits(1));
     for (const char* key : {"limited-smoke", "limited-velocity"}) {
         window.view.shown = &view(key);
-        EXPECT_TRUE(available(*window.view.shown, window.remote.snapshot())) << "so that it can be chosen";
+        EXPECT_TRUE(available(*window.view.shown, window.client.snapshot())) << "so that it can be chosen";
         ASSERT_TRUE(window.eventually([&] { return limits(0) && limits(1); }));
         window.frame();
         ASSERT_EQ(&window.fields.view(), &view(key));
         EXPECT_EQ(sum(*window.fields.of(0)), 0) << "linear interpolation has no limiter";
-        const Snapshot& maccormack = window.remote.session().lanes[1];
+        const Snapshot& maccormack = window.client.session().lanes[1];
         // A face of the velocity belongs to two cells, a quarter of each, but on the sides.
         const double counted = std::string_view(key) == "limited-smoke"
                                    ? maccormack.measures.limited.density
@@ -56,10 +56,10 @@ TEST(LimitedViews, ShowWhatLimitersChangedAndCostNothingElse) {
 TEST(LimitedViews, CountsArePlottedWhileTheyAreWatched) {
     HeadlessUi ui(1280, 800, 1);
     LanesWindow window(ui, clamped_plume());
-    ASSERT_TRUE(window.eventually([&] { return window.remote.session().step == 10; }));
+    ASSERT_TRUE(window.eventually([&] { return window.client.session().step == 10; }));
     const auto titles = [&] {
         std::vector<std::string> found;
-        for (const SheetPlot& plot : plots_of(window.history, window.remote.session(), window.measure_view))
+        for (const SheetPlot& plot : plots_of(window.history, window.client.session(), window.measure_view))
             found.push_back(plot.title);
         return found;
     };
@@ -68,11 +68,11 @@ TEST(LimitedViews, CountsArePlottedWhileTheyAreWatched) {
     window.view.count_limited = true;
     window.frame();
     window.player.step_once();
-    ASSERT_TRUE(window.eventually([&] { return window.remote.session().step == 11; }));
+    ASSERT_TRUE(window.eventually([&] { return window.client.session().step == 11; }));
     EXPECT_EQ(shown(), 1);
-    const int id = window.remote.session().ids[1];
+    const int id = window.client.session().ids[1];
     EXPECT_EQ(window.history.lane(id).of(Track::LimitedDensity).back(),
-              static_cast<float>(window.remote.session().lanes[1].measures.limited.density));
+              static_cast<float>(window.client.session().lanes[1].measures.limited.density));
     EXPECT_TRUE(std::isnan(window.history.lane(id).of(Track::LimitedDensity).front())) << "not watched then";
 }
 

@@ -42,7 +42,7 @@ TEST(OpenDialog, StaysWithTheReasonUntilSomethingIsOpened) {
     window.files.path = presets().back().key;
     window.files.enter = true;
     ASSERT_TRUE(window.eventually([&] { return !window.files.dialog; }));
-    EXPECT_EQ(window.remote.loaded(), presets().back().key);
+    EXPECT_EQ(window.client.loaded(), presets().back().key);
 
     window.files.ask_open = true;
     ASSERT_TRUE(window.eventually([&] { return window.files.dialog; }));

@@ -46,7 +46,7 @@ std::string drawn(HeadlessUi& ui, const Recording& run, Look look) {
         player.step_once();
         Notices notices;
         notices.warn("a notice");
-        Remote remote(player, notices);
+        SessionClient client(player, notices);
         ViewState view;
         view.help = look.help;
         MeasureView measure_view;
@@ -62,13 +62,13 @@ std::string drawn(HeadlessUi& ui, const Recording& run, Look look) {
         Trace trace(path);
         Slabs slabs;
         for (int frame = 0; frame < 3; ++frame) {
-            remote.begin_frame();
+            client.begin_frame();
             std::vector<StepMeasures> measures;
             const bool new_run = player.take_measures(measures);
             history.take(measures, new_run);
-            fields.update(remote.session(), *view.shown, view.difference);
-            names.update(remote.session().setup);
-            PanelContext context{ui.theme, remote, view,  measure_view, files, history,
+            fields.update(client.session(), *view.shown, view.difference);
+            names.update(client.session().setup);
+            PanelContext context{ui.theme, client, view,  measure_view, files, history,
                                  frames,   fields, names, hover,        trace, slabs};
             ui.frame([&] {
                 draw_control_column(context);

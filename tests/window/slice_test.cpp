@@ -305,7 +305,7 @@ struct SliceWindow {
         for (int k = 0; k < 3; ++k) window.frame();
     }
     void frame() {
-        brush.end_frame(window.remote);
+        brush.end_frame(window.client);
         window.frame();
     }
     /// As the workbench shares events out.
@@ -315,7 +315,7 @@ struct SliceWindow {
         io.MousePos = {static_cast<float>(at.x), static_cast<float>(at.y)};
         if (kind == InputEvent::Kind::Press) io.MouseDown[button] = true;
         if (kind == InputEvent::Kind::Release) io.MouseDown[button] = false;
-        const bool taken = slice.take(event, window.place, window.remote.session(), 1, lab);
+        const bool taken = slice.take(event, window.place, window.client.session(), 1, lab);
         if (!taken) brush.take(event, window.place);
         frame();
         return taken;
@@ -368,12 +368,12 @@ TEST(SliceWindow, SnapsWithinThreePixelsAndKeepsACell) {
     s.drag(s.on(0, s.lab.line.to.x, s.lab.line.to.y), s.on(0, 0.7, s.lab.line.to.y) + glm::dvec2(0, 6));
     EXPECT_FALSE(s.lab.line.horizontal());
     s.drag(s.on(0, s.lab.line.to.x, s.lab.line.to.y), s.on(0, s.lab.line.from.x, s.lab.line.from.y));
-    EXPECT_NEAR(place_line(s.lab.line, s.window.remote.session().lanes[0].grid).cells(), 1, rounding);
+    EXPECT_NEAR(place_line(s.lab.line, s.window.client.session().lanes[0].grid).cells(), 1, rounding);
 }
 
 TEST(SliceWindow, NoSmokeIsPaintedWhileTheLineIsHeld) {
     SliceWindow s("empty");
-    const auto digest = [&] { return s.window.remote.session().digest(); };
+    const auto digest = [&] { return s.window.client.session().digest(); };
     const std::uint64_t clear = digest();
     EXPECT_TRUE(s.drag(s.on(0, 1, 10.5 / 20), s.on(0, 0.6, 0.9)));
     EXPECT_TRUE(s.drag(s.on(0, 0.3, 10.5 / 20 + 0.3 / 0.6 * (0.9 - 10.5 / 20)), s.on(0, 0.5, 0.5)));

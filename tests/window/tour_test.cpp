@@ -172,10 +172,10 @@ TEST(TourCard, IsUsedWithTheMouseWhileTheRunGoesOn) {
     ImGui::GetIO().MousePos = middle("tour-card=1");
     window.frames_of_tour(2);
     EXPECT_TRUE(window.place.covered) << "a click on the card is no stroke";
-    const long step = window.remote.session().step;
+    const long step = window.client.session().step;
     EXPECT_TRUE(window.eventually([&] {
         window.player.begin_frame();
-        return window.remote.session().step > step + 3;
+        return window.client.session().step > step + 3;
     }));
     window.click(middle("tour-skip"));
     EXPECT_FALSE(window.view.tour.running());
