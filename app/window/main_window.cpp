@@ -76,7 +76,7 @@ std::unique_ptr<Player> make_player(const WindowOptions& options) {
 
 }  // namespace
 
-Workbench::Workbench(const WindowOptions& options, GlfwWindow& window)
+MainWindow::MainWindow(const WindowOptions& options, GlfwWindow& window)
     : window_(window), trace_(options.trace), player_(make_player(options)), client_(*player_, notices_) {
     client_.set_loaded(options.name);
     file_service_.opened(options.recording, options.name);
@@ -86,20 +86,20 @@ Workbench::Workbench(const WindowOptions& options, GlfwWindow& window)
 }
 
 /// Whether nothing has moved for a while and nobody has done anything, so that a few frames a second will do.
-bool Workbench::rests() const {
+bool MainWindow::idle() const {
     constexpr double quiet = 2;  // seconds: hover help has come by then
-    return clock_.time() > stirred_ + quiet;
+    return clock_.time() > last_activity_ + quiet;
 }
 
-void Workbench::frame() {
-    const bool rested = rests();
-    if (rested) window_.await_events(0.1);
-    if (!std::exchange(rested_, rested) && rested) trace_.event("rest", "");
+void MainWindow::frame() {
+    const bool now_idle = idle();
+    if (now_idle) window_.await_events(0.1);
+    if (!std::exchange(was_idle_, now_idle) && now_idle) trace_.event("rest", "");
     clock_.wait();
     // The first frames open the window and build fonts and shaders.
     if (warm_up_ > 0) {
         --warm_up_;
-    } else if (!rested) {
+    } else if (!now_idle) {
         frames_.add(clock_.interval_ms(), clock_.work_ms());
     }
     notices_.set_time(clock_.time());
@@ -110,7 +110,7 @@ void Workbench::frame() {
     const std::uint64_t serial = client_.session().serial;
     if (std::exchange(serial_, serial) != serial || !events.empty() || client_.playing() ||
         file_service_.writes())
-        stirred_ = clock_.time();
+        last_activity_ = clock_.time();
     brush_.end_frame(client_);
     lessons_.set_open(view_.lessons, client_);
     draw();
@@ -122,14 +122,14 @@ void Workbench::frame() {
 }
 
 /// Opens the panel on a lesson that has come from a file.
-void Workbench::read_lesson() {
+void MainWindow::read_lesson() {
     lessons_.begin_own(std::move(files_.lesson), client_, view_);
     view_.lessons = true;
     view_.peeks_at_measures = false;
 }
 
 /// Takes the newest state, its measures, and what is shown of it with its range.
-void Workbench::take_run() {
+void MainWindow::take_run() {
     client_.watch(view_.watch());
     client_.begin_frame();
     const SessionSnapshot& session = client_.session();
@@ -149,7 +149,7 @@ void Workbench::take_run() {
     view_.range.follow(*view_.shown, view_.difference, fields_.span(), seconds);
 }
 
-void Workbench::act_on(const InputEvent& event) {
+void MainWindow::act_on(const InputEvent& event) {
     using Kind = InputEvent::Kind;
     if (event.kind == Kind::Character && ImGui::GetIO().WantTextInput) return;
     if (view_.tour_in_sight(files_) && !ImGui::GetIO().WantTextInput && view_.tour.take(event)) return;
@@ -182,7 +182,7 @@ void Workbench::act_on(const InputEvent& event) {
     }
 }
 
-void Workbench::press_key(const InputEvent& event) {
+void MainWindow::press_key(const InputEvent& event) {
     if (!ImGui::GetIO().WantTextInput && !files_.dialog && !list_open_) travel(event.code);
     if (event.repeated) return;
     if (event.code == GLFW_KEY_F12) files_.take_picture = true;
@@ -199,7 +199,7 @@ void Workbench::press_key(const InputEvent& event) {
 }
 
 /// Closes what lies on top.
-void Workbench::escape() {
+void MainWindow::escape() {
     files_.escape = true;
     if (files_.dialog || ImGui::GetIO().WantTextInput) return;
     if (list_open_) {
@@ -210,14 +210,14 @@ void Workbench::escape() {
 }
 
 /// Along the timeline.
-void Workbench::travel(int key) {
+void MainWindow::travel(int key) {
     if (key == GLFW_KEY_LEFT) walk(client_, -1);
     if (key == GLFW_KEY_RIGHT) walk(client_, 1);
     if (key == GLFW_KEY_HOME) client_.seek(0);
     if (key == GLFW_KEY_END) client_.seek(client_.session().last_step);
 }
 
-void Workbench::type(const InputEvent& event) {
+void MainWindow::type(const InputEvent& event) {
     if (event.code == '.') return client_.step();
     if (event.repeated) return;
     switch (event.code) {
@@ -250,12 +250,12 @@ void Workbench::type(const InputEvent& event) {
     client_.load_scene(preset.key, preset.scene());
 }
 
-PanelContext Workbench::context() {
+PanelContext MainWindow::context() {
     return {window_.theme(), client_, view_,  measure_view_, files_, history_,
             frames_,         fields_, names_, help_,         trace_, slabs_};
 }
 
-void Workbench::draw() {
+void MainWindow::draw() {
     const SessionSnapshot& session = client_.session();
     const Theme& theme = window_.theme();
     PanelContext context = this->context();

@@ -19,11 +19,11 @@
 namespace whorl::app {
 
 /// The run, what is known of it, and what shows and steers it.
-class Workbench {
+class MainWindow {
   public:
     /// @throws InputError if the scene's choices do not go together, std::runtime_error if the trace cannot
     ///         be written
-    Workbench(const WindowOptions& options, GlfwWindow& window);
+    MainWindow(const WindowOptions& options, GlfwWindow& window);
 
     /// Waits for the next frame's time, and makes it.
     void frame();
@@ -31,7 +31,7 @@ class Workbench {
     bool writes() const { return file_service_.writes(); }
 
   private:
-    bool rests() const;
+    bool idle() const;
     void act_on(const InputEvent& event);
     void press_key(const InputEvent& event);
     void escape();
@@ -48,8 +48,8 @@ class Workbench {
     int warm_up_ = 5;           ///< frames that are not measured yet
     std::uint64_t serial_ = 0;  ///< of the moment on screen
     bool list_open_ = false;    ///< at the end of the last frame
-    bool rested_ = false;       ///< before the last frame
-    double stirred_ = 0;        ///< when something last came in or moved, seconds of the clock
+    bool was_idle_ = false;     ///< before the last frame
+    double last_activity_ = 0;  ///< when something last came in or moved, seconds of the clock
     Notices notices_;
     ViewState view_;
     MeasureView measure_view_;

@@ -6,10 +6,10 @@ namespace whorl::app {
 
 int run_window(const WindowOptions& options) {
     GlfwWindow window(options);
-    Workbench workbench(options, window);
-    while (!window.closing()) workbench.frame();
+    MainWindow main_window(options, window);
+    while (!window.closing()) main_window.frame();
     window.hide();  // at once, though the solver may still be in the middle of a long step
-    while (workbench.writes()) workbench.frame();
+    while (main_window.writes()) main_window.frame();
     return 0;
 }
 

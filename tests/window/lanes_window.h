@@ -20,7 +20,7 @@ struct LanesWindow {
         client.begin_frame();
     }
 
-    /// A frame, as the workbench makes it.
+    /// A frame, as the main_window makes it.
     void frame() {
         client.watch(view.watch());
         client.begin_frame();

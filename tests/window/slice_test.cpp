@@ -308,7 +308,7 @@ struct SliceWindow {
         brush.end_frame(window.client);
         window.frame();
     }
-    /// As the workbench shares events out.
+    /// As the main_window shares events out.
     bool event(InputEvent::Kind kind, glm::dvec2 at, int button = 0, int mods = 0) {
         const InputEvent event{.kind = kind, .x = at.x, .y = at.y, .code = button, .mods = mods};
         ImGuiIO& io = ImGui::GetIO();
