@@ -53,9 +53,9 @@ std::optional<double> draw_budget(PanelContext& context, float height) {
     plot.size = {0, height};
     if (!is_solved(moment.lanes[place])) plot.empty_text = "the flow is given, not solved for";
     const ImVec2 low = ImGui::GetCursorScreenPos();
-    context.slabs.add(*ImGui::GetWindowDrawList(), low,
-                      {low.x + ImGui::GetContentRegionAvail().x, low.y + height}, theme.px(5),
-                      theme.palette.card);
+    context.backgrounds.add(*ImGui::GetWindowDrawList(), low,
+                            {low.x + ImGui::GetContentRegionAvail().x, low.y + height}, theme.px(5),
+                            theme.palette.card);
     Theme bare = theme;
     bare.palette.card = 0;
     const auto x = draw_stack(bare, plot, parts, "net");

@@ -225,8 +225,8 @@ bool has_errors(const SessionSnapshot& moment) {
 std::optional<double> draw_on_card(PanelContext& context, const Plot& plot, std::span<const Series> series) {
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const ImVec2 high{low.x + ImGui::GetContentRegionAvail().x, low.y + plot.size.y};
-    context.slabs.add(*ImGui::GetWindowDrawList(), low, high, context.theme.px(5),
-                      context.theme.palette.card);
+    context.backgrounds.add(*ImGui::GetWindowDrawList(), low, high, context.theme.px(5),
+                            context.theme.palette.card);
     Theme bare = context.theme;
     bare.palette.card = 0;
     return draw_plot(bare, plot, series);

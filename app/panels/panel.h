@@ -31,7 +31,7 @@ struct PanelContext {
     const LaneNames& names;    ///< of the newest snapshot's lanes
     HoverHelp& help;
     Trace& trace;
-    Slabs& slabs;
+    BackgroundRects& backgrounds;
 
     const Snapshot& snapshot() const { return client.snapshot(); }
     const Scene& scene() const { return client.scene(); }

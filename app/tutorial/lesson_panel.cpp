@@ -169,7 +169,7 @@ void draw_step(PanelContext& context, LessonWalk& walk) {
     const float below = ImGui::GetFrameHeight() + theme.px(3) + 2 * spacing;
     ImGui::BeginChild("lesson-text", {0, -below});
     if (walk.take_turned()) ImGui::SetScrollY(0);
-    draw_blocks(theme, context.slabs, step.text);
+    draw_blocks(theme, context.backgrounds, step.text);
     if (!step.tries.empty()) {
         ImGui::Dummy({0, theme.px(2)});
         ImGui::Separator();

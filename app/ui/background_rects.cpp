@@ -5,7 +5,7 @@
 
 namespace whorl::app {
 
-void Slabs::add(ImDrawList& list, ImVec2 low, ImVec2 high, float rounding, ImU32 colour) {
+void BackgroundRects::add(ImDrawList& list, ImVec2 low, ImVec2 high, float rounding, ImU32 colour) {
     low = {std::floor(low.x), std::floor(low.y)};
     high = {std::floor(high.x), std::floor(high.y)};
     const float end = std::ceil(rounding);
@@ -13,10 +13,10 @@ void Slabs::add(ImDrawList& list, ImVec2 low, ImVec2 high, float rounding, ImU32
     list.AddRectFilled({low.x, high.y - end}, high, colour, rounding, ImDrawFlags_RoundCornersBottom);
     const ImVec2 clip_low = list.GetClipRectMin();
     const ImVec2 clip_high = list.GetClipRectMax();
-    const Slab slab{{std::max(low.x, clip_low.x), std::max(low.y + end, clip_low.y)},
+    const Rect rect{{std::max(low.x, clip_low.x), std::max(low.y + end, clip_low.y)},
                     {std::min(high.x, clip_high.x), std::min(high.y - end, clip_high.y)},
                     colour};
-    if (slab.low.x < slab.high.x && slab.low.y < slab.high.y) slabs_.push_back(slab);
+    if (rect.low.x < rect.high.x && rect.low.y < rect.high.y) backgrounds_.push_back(rect);
 }
 
 }  // namespace whorl::app

@@ -9,9 +9,9 @@ namespace whorl::app {
 
 /// ImGui samples its font's texture and blends for every pixel it fills. A software rasteriser takes most of
 /// a frame for that where a clear takes none: so ImGui draws only the rounded ends of large rectangles.
-class Slabs {
+class BackgroundRects {
   public:
-    struct Slab {
+    struct Rect {
         ImVec2 low, high;
         ImU32 colour;
     };
@@ -20,11 +20,11 @@ class Slabs {
     void add(ImDrawList& list, ImVec2 low, ImVec2 high, float rounding, ImU32 colour);
 
     /// In the order they were added. Pixels from the top left.
-    const std::vector<Slab>& all() const { return slabs_; }
-    void clear() { slabs_.clear(); }
+    const std::vector<Rect>& all() const { return backgrounds_; }
+    void clear() { backgrounds_.clear(); }
 
   private:
-    std::vector<Slab> slabs_;
+    std::vector<Rect> backgrounds_;
 };
 
 }  // namespace whorl::app

@@ -50,7 +50,7 @@ void draw_item(const Theme& theme, std::string_view line) {
 }
 
 /// On a card, with its lines as they are; a line that does not fit is wrapped all the same.
-void draw_formula(const Theme& theme, Slabs& slabs, const Block& block) {
+void draw_formula(const Theme& theme, BackgroundRects& backgrounds, const Block& block) {
     const ImVec2 padding{theme.px(8), theme.px(7)};
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x;
@@ -58,8 +58,8 @@ void draw_formula(const Theme& theme, Slabs& slabs, const Block& block) {
     const char* const end = block.text.data() + block.text.size();
     const float room = width - 2 * padding.x;
     const float height = ImGui::CalcTextSize(block.text.data(), end, false, room).y + 2 * padding.y;
-    slabs.add(*ImGui::GetWindowDrawList(), corner, {corner.x + width, corner.y + height}, theme.px(4),
-              theme.palette.card);
+    backgrounds.add(*ImGui::GetWindowDrawList(), corner, {corner.x + width, corner.y + height}, theme.px(4),
+                    theme.palette.card);
     ImGui::SetCursorScreenPos({corner.x + padding.x, corner.y + padding.y});
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + room);
     text(theme.palette.text, block.text);
@@ -90,7 +90,7 @@ void draw_wrapped(ImU32 colour, std::string_view line, float margin) {
     text(colour, broken(line, ImGui::GetContentRegionAvail().x - margin));
 }
 
-void draw_blocks(const Theme& theme, Slabs& slabs, std::span<const Block> blocks) {
+void draw_blocks(const Theme& theme, BackgroundRects& backgrounds, std::span<const Block> blocks) {
     for (const Block& block : blocks) {
         switch (block.kind) {
             case Block::Kind::Paragraph:
@@ -103,7 +103,7 @@ void draw_blocks(const Theme& theme, Slabs& slabs, std::span<const Block> blocks
                 draw_item(theme, block.text);
                 break;
             case Block::Kind::Formula:
-                draw_formula(theme, slabs, block);
+                draw_formula(theme, backgrounds, block);
                 break;
         }
     }

@@ -20,7 +20,7 @@ std::string broken(std::string_view text, float width);
 void draw_wrapped(ImU32 colour, std::string_view line, float margin = 0);
 
 /// Draws blocks below each other at the cursor, wrapped to the width that is left in the current window.
-void draw_blocks(const Theme& theme, Slabs& slabs, std::span<const Block> blocks);
+void draw_blocks(const Theme& theme, BackgroundRects& backgrounds, std::span<const Block> blocks);
 
 /// Draws texts as items of a list.
 void draw_items(const Theme& theme, std::span<const std::string> items);

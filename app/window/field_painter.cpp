@@ -17,15 +17,15 @@ void clear_to(ImU32 colour) {
 
 }  // namespace
 
-void FieldPainter::clear(const Theme& theme, const Slabs& slabs, int framebuffer_height) {
+void FieldPainter::clear(const Theme& theme, const BackgroundRects& backgrounds, int framebuffer_height) {
     clear_to(theme.palette.background);
     glEnable(GL_SCISSOR_TEST);
-    for (const Slabs::Slab& slab : slabs.all()) {
-        const int x = static_cast<int>(slab.low.x);
-        const int bottom = static_cast<int>(slab.high.y);
-        glScissor(x, framebuffer_height - bottom, static_cast<int>(slab.high.x) - x,
-                  bottom - static_cast<int>(slab.low.y));
-        clear_to(slab.colour);
+    for (const BackgroundRects::Rect& rect : backgrounds.all()) {
+        const int x = static_cast<int>(rect.low.x);
+        const int bottom = static_cast<int>(rect.high.y);
+        glScissor(x, framebuffer_height - bottom, static_cast<int>(rect.high.x) - x,
+                  bottom - static_cast<int>(rect.low.y));
+        clear_to(rect.colour);
     }
     glDisable(GL_SCISSOR_TEST);
 }

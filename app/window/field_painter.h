@@ -18,8 +18,8 @@ namespace whorl::app {
 /// Needs a current OpenGL context from construction to destruction.
 class FieldPainter {
   public:
-    /// Clears the framebuffer to the background and the slabs.
-    static void clear(const Theme& theme, const Slabs& slabs, int framebuffer_height);
+    /// Clears the framebuffer to the background and the backgrounds.
+    static void clear(const Theme& theme, const BackgroundRects& backgrounds, int framebuffer_height);
     /// Draws the fields where they belong. A field is uploaded once, when it is first drawn.
     void draw(const SessionSnapshot& session, const LaneFields& fields, const ViewState& view,
               const FieldPlacement& place, const Theme& theme, int framebuffer_height);

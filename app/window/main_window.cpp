@@ -34,13 +34,13 @@ void begin_column(const char* name, const Layout& layout, const Column& column, 
 }
 
 void begin_panel(const char* name, const Layout& layout, const Column& column, const Theme& theme,
-                 Slabs& slabs) {
+                 BackgroundRects& backgrounds) {
     begin_column(name, layout, column, ImGuiWindowFlags_NoBackground);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 low{column.x, layout.top};
     const ImVec2 high{column.x + column.width, layout.top + layout.height};
     list.PushClipRectFullScreen();
-    slabs.add(list, low, high, ImGui::GetStyle().WindowRounding, theme.palette.panel);
+    backgrounds.add(list, low, high, ImGui::GetStyle().WindowRounding, theme.palette.panel);
     list.AddRect(low, high, theme.palette.border, ImGui::GetStyle().WindowRounding);
     list.PopClipRect();
 }
@@ -252,14 +252,14 @@ void MainWindow::type(const InputEvent& event) {
 
 PanelContext MainWindow::context() {
     return {window_.theme(), client_, view_,  measure_view_, files_, history_,
-            frames_,         fields_, names_, help_,         trace_, slabs_};
+            frames_,         fields_, names_, help_,         trace_, backgrounds_};
 }
 
 void MainWindow::draw() {
     const SessionSnapshot& session = client_.session();
     const Theme& theme = window_.theme();
     PanelContext context = this->context();
-    slabs_.clear();
+    backgrounds_.clear();
     files_.dialog = false;
     const Layout layout =
         lay_out(theme, field_shape(session, view_), static_cast<float>(window_.framebuffer_width()),
@@ -267,7 +267,7 @@ void MainWindow::draw() {
     const Column& side = inspector_column(layout, view_.lessons);
     view_.labs.side = {side.x, side.width, view_.lessons};
 
-    begin_panel("controls", layout, layout.controls, theme, slabs_);
+    begin_panel("controls", layout, layout.controls, theme, backgrounds_);
     draw_control_column(context);
     ImGui::End();
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
@@ -276,7 +276,7 @@ void MainWindow::draw() {
     ImGui::PopStyleVar();
     place_ = draw_field_area(context);
     ImGui::End();
-    begin_panel("measures", layout, layout.measures, theme, slabs_);
+    begin_panel("measures", layout, layout.measures, theme, backgrounds_);
     if (view_.lessons && !view_.peeks_at_measures) {
         draw_lesson_panel(context, lessons_);
         view_.lessons = lessons_.open();
@@ -298,7 +298,7 @@ void MainWindow::draw() {
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     ImGui::Render();
     // A view chosen this frame has its field from the next one on.
-    painter_.clear(theme, slabs_, window_.framebuffer_height());
+    painter_.clear(theme, backgrounds_, window_.framebuffer_height());
     painter_.draw(session, fields_, view_, place_, theme, window_.framebuffer_height());
 }
 

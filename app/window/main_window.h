@@ -62,7 +62,7 @@ class MainWindow {
     SliceTool slice_tool_;
     InspectTool inspect_tool_;
     FieldPlacement place_;
-    Slabs slabs_;
+    BackgroundRects backgrounds_;
     FieldPainter painter_;
     LaneFields fields_;
     LaneNames names_;

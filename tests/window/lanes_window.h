@@ -31,9 +31,9 @@ struct LanesWindow {
         names.update(session.setup);
         fields.update(session, *view.shown, view.difference);
         view.range.follow(*view.shown, view.difference, fields.span(), ColourRange::at_once);
-        slabs.clear();
+        backgrounds.clear();
         PanelContext context{ui.theme, client, view,  measure_view, files, history,
-                             frames,   fields, names, hover,        trace, slabs};
+                             frames,   fields, names, hover,        trace, backgrounds};
         const ImVec2 size = ImGui::GetIO().DisplaySize;
         layout = lay_out(ui.theme, field_shape(session, view), size.x, size.y,
                          view.lessons || view.labs.inspector.open);
@@ -86,7 +86,7 @@ struct LanesWindow {
     LaneNames names;
     HoverHelp hover;
     Trace trace;
-    Slabs slabs;
+    BackgroundRects backgrounds;
     Layout layout{};
     FieldPlacement place;
     std::function<void(PanelContext&)> instead;  ///< of the measures

@@ -30,9 +30,9 @@ struct LessonWindow {
         }
         names.update(session.setup);
         fields.update(session, *view.shown, view.difference);
-        slabs.clear();
+        backgrounds.clear();
         PanelContext context{ui.theme, client, view,  measures, files, history,
-                             frames,   fields, names, hover,    trace, slabs};
+                             frames,   fields, names, hover,    trace, backgrounds};
         const ImVec2 screen = ImGui::GetIO().DisplaySize;
         const float width = ui.theme.px(lesson_column_width);
         const float margin = ui.theme.px(8);
@@ -95,7 +95,7 @@ struct LessonWindow {
     LaneNames names;
     HoverHelp hover;
     Trace trace{""};
-    Slabs slabs;
+    BackgroundRects backgrounds;
     LessonWalk walk;
     ImRect column;
 };

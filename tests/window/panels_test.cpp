@@ -60,7 +60,7 @@ std::string drawn(HeadlessUi& ui, const Recording& run, Look look) {
         LaneNames names;
         HoverHelp hover;
         Trace trace(path);
-        Slabs slabs;
+        BackgroundRects backgrounds;
         for (int frame = 0; frame < 3; ++frame) {
             client.begin_frame();
             std::vector<StepMeasures> measures;
@@ -69,7 +69,7 @@ std::string drawn(HeadlessUi& ui, const Recording& run, Look look) {
             fields.update(client.session(), *view.shown, view.difference);
             names.update(client.session().setup);
             PanelContext context{ui.theme, client, view,  measure_view, files, history,
-                                 frames,   fields, names, hover,        trace, slabs};
+                                 frames,   fields, names, hover,        trace, backgrounds};
             ui.frame([&] {
                 draw_control_column(context);
                 draw_measure_column(context);
