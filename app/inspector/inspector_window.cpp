@@ -138,7 +138,7 @@ void buttons(PanelContext& context, const Explanation& e, Inspector& inspector) 
         return;
     const std::string words = write_text(e);
     ImGui::SetClipboardText(words.c_str());
-    context.client.notices().info("Copied the sum as text");
+    context.client.notifications().info("Copied the sum as text");
     context.trace.event("copied", words);
 }
 

@@ -157,18 +157,19 @@ float card(const Theme& theme, ImDrawList& list, float x, float y, float room, c
     return high.y - low.y;
 }
 
-void draw_notices(const PanelContext& context, const Notices& notices, const PixelRect& rect) {
+void draw_notices(const PanelContext& context, const Notifications& notifications, const PixelRect& rect) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const auto middle = static_cast<float>(rect.x) + 0.5f * static_cast<float>(rect.width);
     const auto room = static_cast<float>(rect.width);
     const auto bottom = static_cast<float>(rect.y + rect.height) - context.theme.px(12);
     float height = 0;
-    const auto& shown = notices.shown();
+    const auto& shown = notifications.shown();
     const auto draw = [&](ImDrawList& on, float y) {
-        for (const Notice& notice : shown) {
-            const ImU32 edge = notice.kind == Notice::Kind::Warning ? context.theme.palette.accent
-                                                                    : context.theme.palette.border;
-            y += card(context.theme, on, middle, y, room, notice.text, edge) + context.theme.px(6);
+        for (const Notification& notification : shown) {
+            const ImU32 edge = notification.kind == Notification::Kind::Warning
+                                   ? context.theme.palette.accent
+                                   : context.theme.palette.border;
+            y += card(context.theme, on, middle, y, room, notification.text, edge) + context.theme.px(6);
         }
         return y;
     };
@@ -288,7 +289,7 @@ FieldPlacement draw_field_area(PanelContext& context) {
         ImGui::SetCursorScreenPos({static_cast<float>(rect.x), static_cast<float>(rect.y)});
         draw_curve_view(context, {static_cast<float>(rect.width), static_cast<float>(rect.height)});
         draw_failure(context, rect);
-        draw_notices(context, context.client.notices(), rect);
+        draw_notices(context, context.client.notifications(), rect);
         return place;
     }
 
@@ -323,7 +324,7 @@ FieldPlacement draw_field_area(PanelContext& context) {
                         static_cast<float>(first.width), static_cast<float>(first.height));
     draw_fields(context, place, all);
     if (!several) draw_failure(context, all);
-    draw_notices(context, context.client.notices(), all);
+    draw_notices(context, context.client.notifications(), all);
     return place;
 }
 

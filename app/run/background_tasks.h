@@ -16,7 +16,7 @@ namespace whorl::app {
 /// A piece of work, and what is said of it.
 struct BackgroundTask {
     std::string event;                  ///< name in the trace; with "-failed" behind it if it fails
-    std::string done, failed;           ///< notices, before the result and the reason
+    std::string done, failed;           ///< notifications, before the result and the reason
     std::function<std::string()> work;  ///< @return what came of it, @throws std::exception with a reason
 };
 
@@ -26,14 +26,14 @@ class BackgroundTasks {
     bool busy() const { return doing_.valid() || !waiting_.empty(); }
 
     /// Says what became of the last piece and begins the next; call once a frame.
-    void end_frame(Notices& notices, Trace& trace) {
+    void end_frame(Notifications& notifications, Trace& trace) {
         if (doing_.valid() && doing_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
             try {
                 const std::string result = doing_.get();
-                if (!task_.done.empty()) notices.info(task_.done + result);
+                if (!task_.done.empty()) notifications.info(task_.done + result);
                 trace.event(task_.event, result);
             } catch (const std::exception& e) {
-                notices.warn(task_.failed + e.what());
+                notifications.warn(task_.failed + e.what());
                 trace.event(task_.event + "-failed", e.what());
             }
         }

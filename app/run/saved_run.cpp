@@ -73,7 +73,7 @@ void KeptRun::take(SessionClient& client) {
         return;
     }
     kept_.reset();
-    client.notices().warn(
+    client.notifications().warn(
         "More was done in your run than a recording holds: it cannot be brought back after the lessons");
 }
 

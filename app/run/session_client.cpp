@@ -53,7 +53,7 @@ void SessionClient::begin_frame() {
         previous_id_ = id_at(before);
     }
     if (std::string complaint = player_.take_complaint(); !complaint.empty()) {
-        notices_.warn(std::move(complaint));
+        notifications_.warn(std::move(complaint));
     }
     settle();
 }
@@ -154,7 +154,7 @@ void SessionClient::set(const Parameter& p, double value) {
     try {
         p.check(value);
     } catch (const InputError& e) {
-        notices_.warn(e.what());
+        notifications_.warn(e.what());
         return;
     }
     if (!conflict(with(p, value)).empty()) {
@@ -166,9 +166,9 @@ void SessionClient::set(const Parameter& p, double value) {
         interpolation.set(both, linear);
         if (&p != &interpolation && conflict(both).empty()) {
             push_edit(interpolation, linear);
-            notices_.info(interpolation.label + " is now " + label_of(interpolation, linear) + " (was " +
-                          label_of(interpolation, before) + "): " + label_of(p, value) +
-                          " takes values and gradients from linear weights [thesis eq. 4.2–4.3]");
+            notifications_.info(interpolation.label + " is now " + label_of(interpolation, linear) +
+                                " (was " + label_of(interpolation, before) + "): " + label_of(p, value) +
+                                " takes values and gradients from linear weights [thesis eq. 4.2–4.3]");
         }
     }
     push_edit(p, value);
@@ -199,7 +199,7 @@ bool SessionClient::arrange(Arrange arrange, std::optional<std::size_t> select) 
     try {
         lane_scenes({setup_.scene, arrange.lanes, arrange.reference});
     } catch (const InputError& e) {
-        notices_.warn(e.what());
+        notifications_.warn(e.what());
         return false;
     }
     push(std::move(arrange));
@@ -220,7 +220,7 @@ void SessionClient::load(std::string_view key, Recording recording, bool set_asi
         to_select_.reset();
         lane_only_ = false;
     } catch (const InputError& e) {
-        notices_.warn(e.what());
+        notifications_.warn(e.what());
     }
 }
 
@@ -233,7 +233,8 @@ void SessionClient::load_scene(std::string_view key, const Scene& scene) {
         load(key, {.setup = compared});
         selected_id_ = static_cast<int>(place);  // a session numbers its first lanes in their order
     } catch (const InputError& e) {
-        notices_.info("The lanes do not go with this scene, which begins with one: " + std::string(e.what()));
+        notifications_.info("The lanes do not go with this scene, which begins with one: " +
+                            std::string(e.what()));
         load(key, {.setup = {.scene = scene}});
     }
 }

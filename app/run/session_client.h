@@ -17,7 +17,8 @@ namespace whorl::app {
 /// once however long a step takes.
 class SessionClient {
   public:
-    SessionClient(Player& player, Notices& notices) : player_(player), notices_(notices) {}
+    SessionClient(Player& player, Notifications& notifications)
+        : player_(player), notifications_(notifications) {}
 
     /// Takes the newest snapshot and complaints; call once a frame, before anything reads.
     void begin_frame();
@@ -57,19 +58,19 @@ class SessionClient {
     void drop_overrides(const Parameter& parameter);
     /// The lanes as they are chosen, each going on with its own fields: what changes of them begin with.
     Arrange arrangement() const;
-    /// Other lanes; a refusal is a notice.
+    /// Other lanes; a refusal is a notification.
     /// @param select  the place of the lane to select then; else the selected one stays
     /// @return whether they were sent
     bool arrange(Arrange arrange, std::optional<std::size_t> select = {});
     void push(Command command);
-    /// Begins another run; a refusal is a notice.
+    /// Begins another run; a refusal is a notification.
     /// @param set_aside  as Player::load takes it
     void load(std::string_view key, Recording recording, bool set_aside = false);
     std::unique_ptr<SetAside> take_set_aside() { return player_.take_set_aside(); }
     /// How many runs have been loaded: tells whether someone else has loaded one.
     int loads() const { return loads_; }
-    /// Begins another scene with the lanes that are compared now; without them, and with a notice, where they
-    /// do not go with it.
+    /// Begins another scene with the lanes that are compared now; without them, and with a notification,
+    /// where they do not go with it.
     void load_scene(std::string_view key, const Scene& scene);
     void set_loaded(std::string_view key) { loaded_ = key; }
     void restart() { push(Restart{}); }
@@ -88,7 +89,7 @@ class SessionClient {
     std::unique_ptr<Saved> take_saved() { return player_.take_saved(); }
     void set_pace(Pace pace);
     Pace pace() const { return pace_; }
-    Notices& notices() const { return notices_; }
+    Notifications& notifications() const { return notifications_; }
     double steps_per_second() const { return player_.steps_per_second(); }
 
   private:
@@ -106,7 +107,7 @@ class SessionClient {
     void push_edit(const Parameter& parameter, double value);
 
     Player& player_;
-    Notices& notices_;
+    Notifications& notifications_;
     const SessionSnapshot* session_ = nullptr;
     std::optional<long> sought_;
     Setup setup_;

@@ -37,7 +37,7 @@ PictureStyle style_of(const PanelContext& context, std::vector<SheetPlot> plots)
 constexpr const char* no_picture = "No picture: ";
 
 void warn_no_picture(PanelContext& context, const std::exception& e) {
-    context.client.notices().warn(std::string(no_picture) + e.what());
+    context.client.notifications().warn(std::string(no_picture) + e.what());
     context.trace.event("picture-failed", e.what());
 }
 
@@ -56,7 +56,7 @@ void FileService::end_frame(PanelContext& context, double now) {
     open(context);
     follow_film(context, now);
     check_replay(context);
-    background_tasks_.end_frame(context.client.notices(), context.trace);
+    background_tasks_.end_frame(context.client.notifications(), context.trace);
 }
 
 void FileService::take_requests(PanelContext& context) {
@@ -74,16 +74,16 @@ void FileService::take_requests(PanelContext& context) {
 void FileService::serve(PanelContext& context, Saved saved, double now) {
     saving_ = false;
     const PendingRequests pending = std::exchange(pending_, {});
-    Notices& notices = context.client.notices();
+    Notifications& notifications = context.client.notifications();
     if (!saved.complete) {
-        if (pending.picture) notices.warn(std::string("This picture carries no run: ") + not_complete);
-        if (pending.run) notices.warn(std::string("Run not saved: ") + not_complete);
-        if (pending.film) notices.warn(std::string("No animation: ") + not_complete);
+        if (pending.picture) notifications.warn(std::string("This picture carries no run: ") + not_complete);
+        if (pending.run) notifications.warn(std::string("Run not saved: ") + not_complete);
+        if (pending.film) notifications.warn(std::string("No animation: ") + not_complete);
     } else {
         if (pending.run) save_run(saved.recording);
         if (pending.film) {
             film_.start(saved.recording, *pending.film, now);
-            notices.info("Recording the animation; the window goes on");
+            notifications.info("Recording the animation; the window goes on");
             context.trace.event("film-started", "");
         }
     }
@@ -157,14 +157,14 @@ void FileService::note_tour() {
 }
 
 void FileService::open(PanelContext& context) {
-    Notices& notices = context.client.notices();
+    Notifications& notifications = context.client.notifications();
     if (opening_.valid() && opening_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
         try {
             take_opened(context, opening_.get());
         } catch (const std::exception& e) {
             context.files.open_outcome = e.what();
             // The dialog that asked for it says why.
-            if (!context.files.dialog) notices.warn(std::string("Not opened: ") + e.what());
+            if (!context.files.dialog) notifications.warn(std::string("Not opened: ") + e.what());
             context.trace.event("opened-failed", e.what());
         }
     }
@@ -184,8 +184,8 @@ void FileService::take_opened(PanelContext& context, Opened opened) {
         context.client.load(opened.name, std::move(*recording));
         if (names_file(opened.name)) {
             context.client.play(false);
-            context.client.notices().info("Opened " + opened.name +
-                                          (step > 0 ? " at step " + std::to_string(step) : ""));
+            context.client.notifications().info("Opened " + opened.name +
+                                                (step > 0 ? " at step " + std::to_string(step) : ""));
         }
     } else {
         context.files.lesson = std::get<1>(opened.content);
@@ -200,15 +200,15 @@ void FileService::follow_film(PanelContext& context, double now) {
     const auto outcome = film_.take_outcome();
     if (!outcome) return;
     context.files.filming.reset();
-    Notices& notices = context.client.notices();
+    Notifications& notifications = context.client.notifications();
     if (outcome->cancelled) {
-        notices.info("Animation cancelled; nothing of it is left");
+        notifications.info("Animation cancelled; nothing of it is left");
         context.trace.event("film-cancelled", "");
     } else if (outcome->error.empty()) {
-        notices.info("Animation written to " + outcome->path);
+        notifications.info("Animation written to " + outcome->path);
         context.trace.event("film", outcome->path);
     } else {
-        notices.warn("No animation: " + outcome->error);
+        notifications.warn("No animation: " + outcome->error);
         context.trace.event("film-failed", outcome->error);
     }
 }
@@ -218,7 +218,7 @@ void FileService::check_replay(PanelContext& context) {
     if (!same) return;
     context.trace.event("replayed", *same ? "same" : "different");
     if (!*same)
-        context.client.notices().warn(
+        context.client.notifications().warn(
             "This is not quite the recorded run: another version or machine has made it");
 }
 

@@ -18,7 +18,7 @@
 namespace whorl::app {
 
 /// Draws on the window's thread, between two frames and a band of a picture at a time; reads and writes on
-/// others, so that no frame waits for a disk. What fails is a notice.
+/// others, so that no frame waits for a disk. What fails is a notification.
 class FileService {
   public:
     /// The window was opened with a run.

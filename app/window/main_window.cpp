@@ -77,7 +77,10 @@ std::unique_ptr<Player> make_player(const WindowOptions& options) {
 }  // namespace
 
 MainWindow::MainWindow(const WindowOptions& options, GlfwWindow& window)
-    : window_(window), trace_(options.trace), player_(make_player(options)), client_(*player_, notices_) {
+    : window_(window),
+      trace_(options.trace),
+      player_(make_player(options)),
+      client_(*player_, notifications_) {
     client_.set_loaded(options.name);
     file_service_.opened(options.recording, options.name);
     if (!options.lesson.empty()) files_.open = options.lesson;
@@ -102,7 +105,7 @@ void MainWindow::frame() {
     } else if (!now_idle) {
         frames_.add(clock_.interval_ms(), clock_.work_ms());
     }
-    notices_.set_time(clock_.time());
+    notifications_.set_time(clock_.time());
     player_->begin_frame();
     const std::vector<InputEvent>& events = window_.begin_frame();
     take_run();

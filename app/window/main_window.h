@@ -50,7 +50,7 @@ class MainWindow {
     bool list_open_ = false;    ///< at the end of the last frame
     bool was_idle_ = false;     ///< before the last frame
     double last_activity_ = 0;  ///< when something last came in or moved, seconds of the clock
-    Notices notices_;
+    Notifications notifications_;
     ViewState view_;
     MeasureView measure_view_;
     FileRequests files_;

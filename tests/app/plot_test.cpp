@@ -153,7 +153,7 @@ TEST(PlotWidget, SixPlotsOfTenThousandSamplesAreQuick) {
         });
     }
     RecordProperty("milliseconds", std::to_string(best));
-    // 2 ms is the budget of a release build on a quiet machine; ten times that still notices a wrong
+    // 2 ms is the budget of a release build on a quiet machine; ten times that still notifications a wrong
     // complexity.
     EXPECT_LT(best, 20.0);
 }

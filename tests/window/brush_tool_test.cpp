@@ -22,8 +22,8 @@ struct Painted {
     }
 
     Player player{{.setup = {.scene = empty()}}, 1};
-    Notices notices;
-    SessionClient client{player, notices};
+    Notifications notifications;
+    SessionClient client{player, notifications};
     BrushTool brush;
     FieldPlacement field{.tiles = {{0, {100, 50, 400, 400}, {100, 50, 400, 400}, 40, 40}}};
 

@@ -75,8 +75,8 @@ struct LanesWindow {
 
     HeadlessUi& ui;
     Player player;
-    Notices notices;
-    SessionClient client{player, notices};
+    Notifications notifications;
+    SessionClient client{player, notifications};
     ViewState view;
     MeasureView measure_view;
     FileRequests files;

@@ -255,7 +255,7 @@ TEST(LessonPanelWalk, SaysThatARunIsTooLongToComeBack) {
     window.walk.begin(lesson, window.client, window.view);
     EXPECT_TRUE(window.eventually([&] { return window.shows(lesson.steps[0]); }));
     EXPECT_FALSE(window.walk.keeps_run(window.client));
-    EXPECT_EQ(window.notices.shown().size(), 1u);
+    EXPECT_EQ(window.notifications.shown().size(), 1u);
     window.walk.set_open(false, window.client);
     for (int k = 0; k < 20; ++k) window.frame();
     EXPECT_TRUE(window.shows(lesson.steps[0]));

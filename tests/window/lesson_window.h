@@ -84,8 +84,8 @@ struct LessonWindow {
 
     HeadlessUi& ui;
     Player player{{.setup = {}}, 1};
-    Notices notices;
-    SessionClient client{player, notices};
+    Notifications notifications;
+    SessionClient client{player, notifications};
     ViewState view;
     MeasureView measures;
     FileRequests files;

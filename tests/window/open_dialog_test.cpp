@@ -36,7 +36,7 @@ TEST(OpenDialog, StaysWithTheReasonUntilSomethingIsOpened) {
     for (int frame = 0; frame < 3; ++frame) window.frame();
     EXPECT_TRUE(window.files.dialog);
     EXPECT_TRUE(window.says("nowhere.toml: there is no such file")) << window.files.open_error;
-    EXPECT_TRUE(window.notices.shown().empty()) << "it is said once";
+    EXPECT_TRUE(window.notifications.shown().empty()) << "it is said once";
 
     ImGui::ClearActiveID();  // the field that is typed into keeps its own text
     window.files.path = presets().back().key;
@@ -55,7 +55,7 @@ TEST(OpenDialog, WhatIsDroppedFailsWithANotice) {
     HeadlessUi ui(1024, 768, 1);
     OpenWindow window(ui);
     window.files.open = "nowhere.toml";
-    EXPECT_TRUE(window.eventually([&] { return !window.notices.shown().empty(); }));
+    EXPECT_TRUE(window.eventually([&] { return !window.notifications.shown().empty(); }));
     EXPECT_FALSE(window.files.dialog);
 }
 

@@ -44,9 +44,9 @@ std::string drawn(HeadlessUi& ui, const Recording& run, Look look) {
     {
         Player player(run, 1);
         player.step_once();
-        Notices notices;
-        notices.warn("a notice");
-        SessionClient client(player, notices);
+        Notifications notifications;
+        notifications.warn("a notice");
+        SessionClient client(player, notifications);
         ViewState view;
         view.help = look.help;
         MeasureView measure_view;

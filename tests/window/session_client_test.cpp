@@ -16,8 +16,8 @@ struct Steered {
     explicit Steered(whorl::Setup setup) : player({.setup = std::move(setup)}, 1) { client.begin_frame(); }
 
     Player player;
-    Notices notices;
-    SessionClient client{player, notices};
+    Notifications notifications;
+    SessionClient client{player, notifications};
 
     void choose(std::string_view key, std::string_view value) {
         client.set(parameter(key), parameter(key).parse(value));
@@ -51,8 +51,8 @@ TEST(SessionClient, AslamTakesLinearInterpolationAlongAndSaysSo) {
     EXPECT_TRUE(s.acted());
     EXPECT_EQ(s.client.snapshot().scene.scalars.advector.key(), "aslam");
     EXPECT_EQ(s.client.snapshot().scene.scalars.interpolation.key(), "linear");
-    ASSERT_EQ(s.notices.shown().size(), 1u);
-    EXPECT_NE(s.notices.shown()[0].text.find("linear weights"), std::string::npos);
+    ASSERT_EQ(s.notifications.shown().size(), 1u);
+    EXPECT_NE(s.notifications.shown()[0].text.find("linear weights"), std::string::npos);
 }
 
 TEST(SessionClient, OfOneSetOnlyWhereTheyDiffer) {
@@ -68,7 +68,7 @@ TEST(SessionClient, OfOneSetOnlyWhereTheyDiffer) {
 TEST(SessionClient, AValueOutOfRangeIsANotice) {
     Steered s;
     s.client.set(parameter("dt"), -1);
-    EXPECT_EQ(s.notices.shown().size(), 1u);
+    EXPECT_EQ(s.notifications.shown().size(), 1u);
     EXPECT_EQ(s.client.scene(), s.client.snapshot().scene);
 }
 
@@ -193,7 +193,7 @@ TEST(SessionClient, AnotherSceneKeepsTheLanesThatAreCompared) {
     ASSERT_TRUE(s.eventually([&] { return s.client.setup().scene.title == "another"; }));
     EXPECT_EQ(s.client.setup().lanes, two.lanes);
     EXPECT_EQ(s.client.selected(), 1u) << "the selected one too";
-    EXPECT_TRUE(s.notices.shown().empty());
+    EXPECT_TRUE(s.notifications.shown().empty());
     // One with which they do not go.
     s.choose("interpolation", "linear");
     Arrange particles = s.client.arrangement();
@@ -205,8 +205,8 @@ TEST(SessionClient, AnotherSceneKeepsTheLanesThatAreCompared) {
     s.client.load_scene("cubic", cubic);
     ASSERT_TRUE(s.eventually([&] { return s.client.setup().scene.title == "cubic"; }));
     EXPECT_EQ(s.client.setup().lanes.size(), 1u);
-    ASSERT_EQ(s.notices.shown().size(), 1u);
-    EXPECT_NE(s.notices.shown()[0].text.find("begins with one"), std::string::npos);
+    ASSERT_EQ(s.notifications.shown().size(), 1u);
+    EXPECT_NE(s.notifications.shown()[0].text.find("begins with one"), std::string::npos);
 }
 
 TEST(SessionClient, LanesThatCannotBeAreANotice) {
@@ -216,8 +216,8 @@ TEST(SessionClient, LanesThatCannotBeAreANotice) {
     Arrange finer = s.client.arrangement();
     finer.lanes[2].refine = 8;
     EXPECT_FALSE(s.client.arrange(finer));
-    ASSERT_EQ(s.notices.shown().size(), 1u);
-    EXPECT_NE(s.notices.shown()[0].text.find("resolution"), std::string::npos);
+    ASSERT_EQ(s.notifications.shown().size(), 1u);
+    EXPECT_NE(s.notifications.shown()[0].text.find("resolution"), std::string::npos);
     EXPECT_EQ(s.client.setup(), s.client.session().setup);
 }
 
