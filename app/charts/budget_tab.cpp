@@ -16,7 +16,7 @@ void quantity_chips(PanelContext& context) {
     bool& of_enstrophy = context.measures.of_enstrophy;
     if (chip(context.theme, "Energy", !of_enstrophy, width)) of_enstrophy = false;
     context.trace.control("budget=energy");
-    context.help.item(
+    context.tooltip.item(
         context.theme, "budget=energy",
         {"Energy budget",
          "How much kinetic energy, ½∫|u|², forces, projection and advection gave or took in each "
@@ -25,7 +25,7 @@ void quantity_chips(PanelContext& context) {
     ImGui::SameLine();
     if (chip(context.theme, "Enstrophy", of_enstrophy, width)) of_enstrophy = true;
     context.trace.control("budget=enstrophy");
-    context.help.item(
+    context.tooltip.item(
         context.theme, "budget=enstrophy",
         {"Enstrophy budget",
          "How much enstrophy, ½∫ω², forces, projection and advection gave or took in each step.", "", "",

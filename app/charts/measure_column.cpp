@@ -72,7 +72,7 @@ void lane_legend(PanelContext& context) {
         const bool hovered = ImGui::IsItemHovered();
         const std::string key = "legend-lane=" + std::to_string(k);
         context.trace.control(key);
-        context.help.item(
+        context.tooltip.item(
             theme, key,
             {context.names.name(k), "Click to select the lane: the budget and the figures above are its.", "",
              "", moment.lanes[k].failure ? "It has stopped." : ""});
@@ -103,7 +103,7 @@ void tab_chips(PanelContext& context) {
             context.measures.tab = tab.tab;
         const std::string key = "tab=" + std::string(tab.label);
         context.trace.control(key);
-        context.help.item(context.theme, key, {tab.label, tab.help, "", "", ""});
+        context.tooltip.item(context.theme, key, {tab.label, tab.help, "", "", ""});
     }
 }
 
@@ -122,8 +122,9 @@ void draw_measure_column(PanelContext& context) {
         context.view.peeks_at_measures = false;
     }
     context.trace.control("lessons");
-    context.help.item(theme, "lessons",
-                      {"Lessons", "Walks through what advection does to smoke, and why. Key: L", "", "", ""});
+    context.tooltip.item(
+        theme, "lessons",
+        {"Lessons", "Walks through what advection does to smoke, and why. Key: L", "", "", ""});
     ImGui::Separator();
     figures_line(context);
     tab_chips(context);

@@ -184,11 +184,11 @@ void norm_chips(PanelContext& context) {
             context.measures.norm = curve.track;
         const std::string key = "norm=" + std::string(curve.label);
         context.trace.control(key);
-        context.help.item(context.theme, key,
-                          {"Error norm",
-                           "Which error the lanes are compared by: L1 the mean, L2 the root of the mean "
-                           "square, L∞ the largest.",
-                           "", "thesis eq. 5.4, 5.6, 5.7", ""});
+        context.tooltip.item(context.theme, key,
+                             {"Error norm",
+                              "Which error the lanes are compared by: L1 the mean, L2 the root of the mean "
+                              "square, L∞ the largest.",
+                              "", "thesis eq. 5.4, 5.6, 5.7", ""});
     }
 }
 

@@ -121,7 +121,7 @@ void head(PanelContext& context, const char* table, const char* label, const cha
     ImGui::TableHeader(("##" + std::string(label)).c_str());
     const std::string key = std::string(table) + "=" + label;
     context.trace.control(key);
-    context.help.item(context.theme, key, {label, help, "Click to sort.", "", ""});
+    context.tooltip.item(context.theme, key, {label, help, "Click to sort.", "", ""});
     const float left = numbers ? std::max(0.0f, free - (sorted ? arrow_width() : 0)) : 0;
     ImGui::GetWindowDrawList()->AddText({std::floor(corner.x + left), corner.y}, context.theme.palette.text,
                                         label);
@@ -167,7 +167,7 @@ void lane_cell(PanelContext& context, std::size_t place, const std::string& titl
     // The colour says enough where there is no room for some letters.
     text(theme.palette.text, room > theme.px(24) ? fitted(title, room) : std::string());
     const std::string key = "table-lane=" + std::to_string(place);
-    context.help.item(theme, key, {title, "", "", "", ""});
+    context.tooltip.item(theme, key, {title, "", "", "", ""});
 }
 
 /// As many digits as there is room for.

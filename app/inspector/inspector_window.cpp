@@ -120,7 +120,7 @@ void step_chips(PanelContext& context, const Explanation& e, Inspector& inspecto
 bool button(PanelContext& context, const char* label, const char* key, float width, const char* help) {
     const bool pressed = ImGui::Button(label, {width, 0});
     context.trace.control(key);
-    context.help.item(context.theme, key, {label, help, "", "", ""});
+    context.tooltip.item(context.theme, key, {label, help, "", "", ""});
     return pressed;
 }
 

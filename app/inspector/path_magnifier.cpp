@@ -97,11 +97,12 @@ void draw_way_lens(PanelContext& context, const BaseStep& step, double h) {
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::Dummy({side, side});
     context.trace.control("inspector-lens");
-    context.help.item(theme, "inspector-lens",
-                      {"Where the ways end",
-                       "Seen close: the departure point by Euler, by midpoint, and by many small steps of a "
-                       "method of fourth order, which is as good as exact.",
-                       "The bar is a part of a cell", "thesis eq. 3.3–3.5", ""});
+    context.tooltip.item(
+        theme, "inspector-lens",
+        {"Where the ways end",
+         "Seen close: the departure point by Euler, by midpoint, and by many small steps of a "
+         "method of fourth order, which is as good as exact.",
+         "The bar is a part of a cell", "thesis eq. 3.3–3.5", ""});
     draw_lens(theme, ways, step.path.start, h, corner, side);
     const float left = corner.x + side + theme.px(10);
     const float room = corner.x + ImGui::GetContentRegionAvail().x - left;

@@ -67,9 +67,9 @@ void controls(PanelContext& context, InterpolationLab& lab) {
     ImGui::SameLine(0, ImGui::GetStyle().ItemSpacing.x);
     if (check("Clamped", lab.clamped)) lab.clamped = !lab.clamped;
     context.trace.control("interpolation-clamped");
-    context.help.item(context.theme, "interpolation-clamped",
-                      {"Clamped", "Cuts what an interpolation gives to the interval's two points.", "",
-                       "thesis eq. 3.8", ""});
+    context.tooltip.item(context.theme, "interpolation-clamped",
+                         {"Clamped", "Cuts what an interpolation gives to the interval's two points.", "",
+                          "thesis eq. 3.8", ""});
 }
 
 /// The curves from back to front: the one that is pointed at lies over the others.
@@ -178,7 +178,7 @@ void main_plot(PanelContext& context, InterpolationLab& lab, const Curves& curve
     if (!canvas) return;
     const bool on_point = canvas.hovered() && point_under(theme, lab, canvas);
     if (!on_point)
-        context.help.item(
+        context.tooltip.item(
             theme, "interpolation-plot",
             {"Data points", "Drag a point up or down. Click between two to choose their interval.", "",
              "thesis fig. 3.5", ""});
@@ -212,11 +212,11 @@ void inset(PanelContext& context, const InterpolationLab& lab, const Field& row,
     const Canvas canvas(theme, plot, {}, {lab.interval - 0.02, lab.interval + 1.02}, extent.tight());
     context.trace.control("interpolation-inset");
     if (!canvas) return;
-    context.help.item(theme, "interpolation-inset",
-                      {"The chosen interval",
-                       "The figure's inset. Between the two lines a curve is in the "
-                       "range of the interval's points.",
-                       "", "thesis fig. 3.5", ""});
+    context.tooltip.item(theme, "interpolation-inset",
+                         {"The chosen interval",
+                          "The figure's inset. Between the two lines a curve is in the "
+                          "range of the interval's points.",
+                          "", "thesis fig. 3.5", ""});
     for (const float end : ends) {
         const ImVec2 at = canvas.pixel(0, static_cast<double>(end));
         canvas.begin().AddLine({canvas.frame().low.x, sharp(at.y)}, {canvas.frame().high.x, sharp(at.y)},
@@ -313,8 +313,8 @@ void region_plot(PanelContext& context, const InterpolationLab& lab, const Repor
                (is_monotone(reports[*under].alpha, reports[*under].beta) ? ": in the monotone region."
                                                                          : ": outside the monotone region.");
     }
-    context.help.item(theme, "interpolation-region" + title,
-                      {title, what, "", "Fritsch and Carlson 1980; thesis eq. 3.16–3.20, fig. 3.6", ""});
+    context.tooltip.item(theme, "interpolation-region" + title,
+                         {title, what, "", "Fritsch and Carlson 1980; thesis eq. 3.16–3.20, fig. 3.6", ""});
 }
 
 /// The columns of the table, pixels from its left edge.
@@ -351,8 +351,8 @@ void table_row(PanelContext& context, InterpolationLab& lab, std::size_t k, cons
     if (ImGui::InvisibleButton(key.c_str(), {columns.end, height})) lab.shown[k] = !lab.shown[k];
     context.trace.control(key);
     const bool hovered = ImGui::IsItemHovered();
-    context.help.item(theme, key,
-                      {info.label, info.help, "Click to show it or leave it out", info.source, ""});
+    context.tooltip.item(theme, key,
+                         {info.label, info.help, "Click to show it or leave it out", info.source, ""});
     if (hovered) lab.pointed = k;
 
     ImDrawList& list = *ImGui::GetWindowDrawList();

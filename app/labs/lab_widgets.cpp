@@ -21,13 +21,13 @@ float chip_width(int count) {
     return std::floor((ImGui::GetContentRegionAvail().x + gap) / static_cast<float>(count) - gap);
 }
 
-bool lab_chip(PanelContext& context, const std::string& key, const HelpText& help, bool chosen, float width,
-              bool first) {
+bool lab_chip(PanelContext& context, const std::string& key, const TooltipText& help, bool chosen,
+              float width, bool first) {
     if (!first) ImGui::SameLine(0, std::floor(0.5f * ImGui::GetStyle().ItemSpacing.x));
     const std::string label = fitted(help.title, width) + "##" + key;
     const bool clicked = chip(context.theme, label.c_str(), chosen, width);
     context.trace.control(key);
-    context.help.item(context.theme, key, help);
+    context.tooltip.item(context.theme, key, help);
     return clicked;
 }
 
@@ -51,8 +51,8 @@ bool legend_toggle(PanelContext& context, const std::string& key, const SchemeIn
     const bool clicked = ImGui::InvisibleButton(key.c_str(), {width, height});
     const bool hovered = ImGui::IsItemHovered();
     context.trace.control(key);
-    context.help.item(theme, key,
-                      {info.label, info.help, "Click to show it or leave it out", info.source, ""});
+    context.tooltip.item(theme, key,
+                         {info.label, info.help, "Click to show it or leave it out", info.source, ""});
     const float left = theme.px(20);
     const float middle = std::floor(at.y + 0.5f * height);
     swatch(theme, {at.x + theme.px(9), middle}, colour, shown);

@@ -14,8 +14,8 @@ ImU32 interpolation_colour(const Theme& theme, std::size_t k);
 
 /// One of a row of chips that share `width`; all but the first stand beside the one before.
 /// @return whether it was clicked
-bool lab_chip(PanelContext& context, const std::string& key, const HelpText& help, bool chosen, float width,
-              bool first);
+bool lab_chip(PanelContext& context, const std::string& key, const TooltipText& help, bool chosen,
+              float width, bool first);
 
 /// A square that is filled where what it stands for is shown.
 void swatch(const Theme& theme, ImVec2 middle, ImU32 colour, bool filled);

@@ -126,9 +126,9 @@ void ends_readout(PanelContext& context, const SliceLab& lab) {
     text(theme.palette.text_dim, ends_text(line.world(0), line.world(1)));
     ImGui::PopFont();
     context.trace.control("slice-ends");
-    context.help.item(theme, "slice-ends",
-                      {"The line's ends", "From the full disc on the field to the hollow one.",
-                       "x and y in length units from the lower left corner", "", ""});
+    context.tooltip.item(theme, "slice-ends",
+                         {"The line's ends", "From the full disc on the field to the hollow one.",
+                          "x and y in length units from the lower left corner", "", ""});
 }
 
 void line_controls(PanelContext& context, SliceLab& lab) {
@@ -160,9 +160,9 @@ void interpolation_controls(PanelContext& context, SliceLab& lab) {
     }
     if (check("Clamped", lab.clamped)) lab.clamped = !lab.clamped;
     context.trace.control("slice-clamped");
-    context.help.item(context.theme, "slice-clamped",
-                      {"Clamped", "Cuts what an interpolation gives to the nodes that enclose the place.", "",
-                       "thesis eq. 3.8", ""});
+    context.tooltip.item(context.theme, "slice-clamped",
+                         {"Clamped", "Cuts what an interpolation gives to the nodes that enclose the place.",
+                          "", "thesis eq. 3.8", ""});
 }
 
 /// A curve's value at the sample nearest to x.

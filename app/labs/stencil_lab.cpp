@@ -62,7 +62,7 @@ void controls(PanelContext& context, StencilLab::Choice& choice) {
     }
     const bool jittered = choice.kind == Stencils::of<Jittered>();
     const auto whole = [&](const char* label, const char* id, int& value, int least, int most, float wide,
-                           const HelpText& help) {
+                           const TooltipText& help) {
         ImGui::SameLine();
         ImGui::AlignTextToFramePadding();
         text(theme.palette.text_dim, label);
@@ -71,7 +71,7 @@ void controls(PanelContext& context, StencilLab::Choice& choice) {
         slider(theme, id, value, {static_cast<double>(least), static_cast<double>(most)}, "");
         value = std::clamp(value, least, most);
         context.trace.control(id + 2);
-        context.help.item(theme, id + 2, help);
+        context.tooltip.item(theme, id + 2, help);
     };
     whole("ζ", "##stencil-zeta", choice.zeta, 0, SchemeSet::max_zeta, std::floor(0.8f * width),
           {"Parametric size ζ",
@@ -173,7 +173,7 @@ void particles_plot(PanelContext& context, const StencilLab& lab, ImVec2 size) {
             ? describe(*under, lab.choice.dimensions)
             : "Where each node's particles start, as large as they count. The frame is the node's cell, the "
               "dashes are the circle of radius Δ_r. A particle inside a ring is also one of a neighbour's.";
-    context.help.item(
+    context.tooltip.item(
         theme, "stencil-particles" + what,
         {under != nullptr ? "Particle" : "Particles", what, "", "thesis fig. 4.2, table 4.1", ""});
 }
@@ -213,11 +213,11 @@ void weights_plot(PanelContext& context, const StencilLab& lab, ImVec2 size) {
         canvas.dot(side * distance(particle), static_cast<double>(particle.weight), theme.px(3),
                    theme.palette.series[chosen]);
     }
-    context.help.item(theme, "stencil-profile",
-                      {"Weights by distance",
-                       "All kinds of weights, scaled so that those of this stencil sum to "
-                       "1. Dots are the particles, on the side of the node where they lie.",
-                       "", "thesis eq. 4.4–4.9, fig. 4.3", ""});
+    context.tooltip.item(theme, "stencil-profile",
+                         {"Weights by distance",
+                          "All kinds of weights, scaled so that those of this stencil sum to "
+                          "1. Dots are the particles, on the side of the node where they lie.",
+                          "", "thesis eq. 4.4–4.9, fig. 4.3", ""});
 }
 
 void numbers(const Theme& theme, const StencilLab& lab) {

@@ -198,7 +198,7 @@ void draw_failure(PanelContext& context, const PixelRect& rect) {
     ImGui::TextWrapped("At %s. The last good state is shown.", failure->c_str());
     if (ImGui::Button("Reset")) context.client.restart();
     context.trace.control("failure-reset");
-    context.help.item(
+    context.tooltip.item(
         theme, "failure-reset",
         {"", "Back to the start of the scene, with the schemes as they are set.", "Key: R", "", ""});
     ImGui::EndChild();

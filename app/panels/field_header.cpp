@@ -83,14 +83,14 @@ class Chips {
   public:
     Chips(PanelContext& context, float right, float y) : context_(context), right_(right), y_(y) {}
 
-    bool add(const char* label, const char* key, bool chosen, const HelpText& help) {
+    bool add(const char* label, const char* key, bool chosen, const TooltipText& help) {
         const Theme& theme = context_.theme;
         const float width = std::ceil(ImGui::CalcTextSize(label, nullptr, true).x) + theme.px(16);
         right_ -= width;
         ImGui::SetCursorScreenPos({right_, y_});
         const bool pressed = chip(theme, label, chosen, width);
         context_.trace.control(key);
-        context_.help.item(theme, key, help);
+        context_.tooltip.item(theme, key, help);
         right_ -= theme.px(4);
         return pressed;
     }

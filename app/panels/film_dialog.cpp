@@ -28,7 +28,7 @@ void kind_row(PanelContext& context) {
             context.files.film.kind = kind;
         const std::string key = "film=" + std::string(label);
         context.trace.control(key);
-        context.help.item(context.theme, key, {label, help[static_cast<int>(kind)], "", "", ""});
+        context.tooltip.item(context.theme, key, {label, help[static_cast<int>(kind)], "", "", ""});
     }
 }
 
@@ -39,17 +39,17 @@ void numbers(PanelContext& context) {
     slider(theme, "##every", film.every, {1, 20}, "");
     film.every = std::clamp(film.every, 1, 1000);
     context.trace.control("film-every");
-    context.help.item(theme, "film-every",
-                      {"Steps a picture", "Steps from one picture to the next.", "", "", ""});
+    context.tooltip.item(theme, "film-every",
+                         {"Steps a picture", "Steps from one picture to the next.", "", "", ""});
     ImGui::BeginDisabled(film.kind == Kind::Pictures);
     row_label(theme, "Pictures a second");
     slider(theme, "##fps", film.frames_per_second, {5, 60}, "");
     film.frames_per_second = std::clamp(film.frames_per_second, 1, 60);
     ImGui::EndDisabled();
     context.trace.control("film-fps");
-    context.help.item(theme, "film-fps",
-                      {"Pictures a second", "How fast it plays.", "", "",
-                       film.kind == Kind::Pictures ? "Numbered pictures have no speed." : ""});
+    context.tooltip.item(theme, "film-fps",
+                         {"Pictures a second", "How fast it plays.", "", "",
+                          film.kind == Kind::Pictures ? "Numbered pictures have no speed." : ""});
 }
 
 /// How long it gets.
@@ -91,7 +91,7 @@ void draw_film_dialog(PanelContext& context) {
     }
     ImGui::EndDisabled();
     context.trace.control("film-do");
-    context.help.item(
+    context.tooltip.item(
         theme, "film-do",
         {"",
          "Works the run out again, beside the window, and writes it into the folder the program "
@@ -100,7 +100,7 @@ void draw_film_dialog(PanelContext& context) {
     ImGui::SameLine();
     if (ImGui::Button("Cancel", {width, 0})) ImGui::CloseCurrentPopup();
     context.trace.control("film-close");
-    context.help.item(theme, "film-close", {"", "Makes no animation.", "Key: Esc", "", ""});
+    context.tooltip.item(theme, "film-close", {"", "Makes no animation.", "Key: Esc", "", ""});
     ImGui::EndPopup();
 }
 

@@ -79,7 +79,7 @@ void draw_help_overlay(PanelContext& context) {
     // A click closes the help wherever it is, before the button would be let go.
     const bool on_tour = ImGui::IsItemHovered();
     context.trace.control("help-tour");
-    context.help.item(theme, "help-tour", {"", "The tour of the first start again.", "", "", ""});
+    context.tooltip.item(theme, "help-tour", {"", "The tour of the first start again.", "", "", ""});
     ImGui::PopStyleVar();
     ImGui::End();
     ImGui::PopStyleVar();

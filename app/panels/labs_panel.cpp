@@ -18,7 +18,7 @@ void draw_labs_panel(PanelContext& context) {
         if (chip(context.theme, lab.label, open, width)) open = !open;
         const std::string key = "lab=" + std::string(lab.key);
         context.trace.control(key);
-        context.help.item(context.theme, key, {lab.label, lab.help, "", lab.source, ""});
+        context.tooltip.item(context.theme, key, {lab.label, lab.help, "", lab.source, ""});
     }
 }
 

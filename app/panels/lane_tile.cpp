@@ -30,7 +30,7 @@ void title_help(PanelContext& context, std::size_t lane, const std::string& key)
     if (is_reference(context, lane)) state += " · the reference lane";
     state += lane == context.client.selected() ? " · selected" : " · click to select";
     const std::string stopped = s.failure ? "Stopped at " + *s.failure : std::string();
-    context.help.item(
+    context.tooltip.item(
         context.theme, key,
         {context.names.name(lane), said_of(context.names.difference(lane)), state, "", stopped});
 }

@@ -53,8 +53,8 @@ void comparison_list(PanelContext& context) {
         if (list_item("One lane", setup.lanes == LaneList(1)))
             compare(context, {.title = {}, .lanes = LaneList(1)});
         context.trace.control("comparison=one");
-        context.help.item(context.theme, "comparison=one",
-                          {"One lane", "The scene alone, from its start.", "", "", ""});
+        context.tooltip.item(context.theme, "comparison=one",
+                             {"One lane", "The scene alone, from its start.", "", "", ""});
         for (std::size_t k = 0; k < known.size(); ++k) {
             if (list_item(known[k].title.c_str(), current == known.begin() + static_cast<long>(k)))
                 compare(context, known[k]);
@@ -62,16 +62,16 @@ void comparison_list(PanelContext& context) {
             context.trace.control(key);
             std::string lanes;
             for (const LaneSetup& lane : known[k].lanes) lanes += (lanes.empty() ? "" : ", ") + lane.name;
-            context.help.item(context.theme, key, {known[k].title, lanes, "", "", ""});
+            context.tooltip.item(context.theme, key, {known[k].title, lanes, "", "", ""});
         }
         ImGui::EndCombo();
     }
     context.trace.control("comparison");
-    context.help.item(context.theme, "comparison",
-                      {"Compare",
-                       "Simulations side by side, on the same scene and the same hand. Choosing a "
-                       "comparison starts the run anew.",
-                       "", "", ""});
+    context.tooltip.item(context.theme, "comparison",
+                         {"Compare",
+                          "Simulations side by side, on the same scene and the same hand. Choosing a "
+                          "comparison starts the run anew.",
+                          "", "", ""});
 }
 
 // ---- the list
@@ -92,7 +92,7 @@ void name_field(PanelContext& context, std::size_t lane) {
         ImGui::InputText("##name", now.text, sizeof now.text,
                          ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     context.trace.control("lane-name");
-    context.help.item(
+    context.tooltip.item(
         context.theme, "lane-name",
         {"Name", "Enter takes it. Without a name, a lane is called by what differs.", "", "", ""});
     if (!done && !ImGui::IsItemDeactivated()) return;
@@ -117,9 +117,9 @@ void lane_row(PanelContext& context, std::size_t lane, const std::string& name, 
     if (hovered && ImGui::IsMouseDoubleClicked(0)) context.view.renaming = renaming(client.ids()[lane], name);
     context.trace.control(key);
     const bool reference = static_cast<int>(lane) == client.setup().reference;
-    context.help.item(theme, key,
-                      {name, said_of(differs), "Click to select, double-click to rename", "",
-                       reference ? "The reference lane: the others are measured against it." : ""});
+    context.tooltip.item(theme, key,
+                         {name, said_of(differs), "Click to select, double-click to rename", "",
+                          reference ? "The reference lane: the others are measured against it." : ""});
 
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 end{corner.x + width, corner.y + height};
@@ -169,7 +169,7 @@ void lane_list(PanelContext& context, const LaneNames& names) {
 
 // ---- what can be done to them
 
-bool button(PanelContext& context, const char* label, const char* key, float width, const HelpText& help) {
+bool button(PanelContext& context, const char* label, const char* key, float width, const TooltipText& help) {
     ImGui::BeginDisabled(!help.warning.empty());
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
                         ImVec2(context.theme.px(2), ImGui::GetStyle().FramePadding.y));
@@ -177,7 +177,7 @@ bool button(PanelContext& context, const char* label, const char* key, float wid
     ImGui::PopStyleVar();
     ImGui::EndDisabled();
     context.trace.control(key);
-    context.help.item(context.theme, key, help);
+    context.tooltip.item(context.theme, key, help);
     return pressed;
 }
 
@@ -275,27 +275,27 @@ void reference_list(PanelContext& context, const LaneNames& names) {
     if (ImGui::BeginCombo("##reference", fitted(shown, room).c_str())) {
         if (list_item("None", chosen == no_reference)) choose(no_reference);
         context.trace.control("reference=none");
-        context.help.item(context.theme, "reference=none",
-                          {"None",
-                           "Differences are from the first lane. Errors are against the exact solution, "
-                           "where one is known.",
-                           "", "", ""});
+        context.tooltip.item(context.theme, "reference=none",
+                             {"None",
+                              "Differences are from the first lane. Errors are against the exact solution, "
+                              "where one is known.",
+                              "", "", ""});
         for (std::size_t k = 0; k < names.size(); ++k) {
             const std::string id = names.name(k) + "##" + std::to_string(k);
             if (list_item(id.c_str(), chosen == static_cast<int>(k))) choose(static_cast<int>(k));
             const std::string key = "reference=" + std::to_string(k + 1);
             context.trace.control(key);
-            context.help.item(context.theme, key,
-                              {names.name(k), "The others are measured against this lane.", "", "", ""});
+            context.tooltip.item(context.theme, key,
+                                 {names.name(k), "The others are measured against this lane.", "", "", ""});
         }
         ImGui::EndCombo();
     }
     context.trace.control("reference");
-    context.help.item(context.theme, "reference",
-                      {"Reference",
-                       "The lane that differences and errors of the others are taken from, averaged "
-                       "to their cells. Where an exact solution is known, errors are against that.",
-                       "", "", ""});
+    context.tooltip.item(context.theme, "reference",
+                         {"Reference",
+                          "The lane that differences and errors of the others are taken from, averaged "
+                          "to their cells. Where an exact solution is known, errors are against that.",
+                          "", "", ""});
 }
 
 void finer_reference(PanelContext& context) {
@@ -331,18 +331,18 @@ void scope(PanelContext& context, const LaneNames& names) {
     const bool only = context.client.lane_only();
     if (chip(context.theme, "All lanes", !only, width)) context.client.set_lane_only(false);
     context.trace.control("scope=all");
-    context.help.item(context.theme, "scope=all",
-                      {"All lanes",
-                       "The controls below set the scene that all lanes share. A lane's own values, "
-                       "marked with its colour, stay.",
-                       "", "", ""});
+    context.tooltip.item(context.theme, "scope=all",
+                         {"All lanes",
+                          "The controls below set the scene that all lanes share. A lane's own values, "
+                          "marked with its colour, stay.",
+                          "", "", ""});
     ImGui::SameLine(0, gap);
     if (chip(context.theme, "This lane", only, width)) context.client.set_lane_only(true);
     context.trace.control("scope=lane");
     const std::string what = "The controls below set values of " +
                              names.name(context.client.selected_in_setup()) +
                              " alone. Right-click a control that is marked to go back to the value of all.";
-    context.help.item(context.theme, "scope=lane", {"This lane", what, "", "", ""});
+    context.tooltip.item(context.theme, "scope=lane", {"This lane", what, "", "", ""});
 }
 
 }  // namespace

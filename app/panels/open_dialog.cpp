@@ -46,8 +46,8 @@ void list(PanelContext& context) {
         }
         const std::string key = "open=" + entry.name;
         context.trace.control(key);
-        context.help.item(theme, key,
-                          {entry.name, entry.title, "Click to choose, double-click to open", "", ""});
+        context.tooltip.item(theme, key,
+                             {entry.name, entry.title, "Click to choose, double-click to open", "", ""});
         ImGui::SameLine(theme.px(8));
         text(theme.palette.text, entry.name);
         ImGui::SameLine(0, theme.px(12));
@@ -115,7 +115,7 @@ void draw_open_dialog(PanelContext& context) {
     if (ImGui::IsWindowAppearing() || failed) ImGui::SetKeyboardFocusHere();
     if (ImGui::InputTextWithHint("##path", "name or path of a file", &files.path)) files.open_error.clear();
     context.trace.control("open-path");
-    context.help.item(
+    context.tooltip.item(
         theme, "open-path",
         {"Path", "A preset's name, or the path of a file. Files can also be dropped on the window.", "", "",
          ""});
@@ -131,13 +131,13 @@ void draw_open_dialog(PanelContext& context) {
     if (ImGui::Button("Open", {width, 0}) || (files.enter && can)) choose(context);
     ImGui::EndDisabled();
     context.trace.control("open-do");
-    context.help.item(
+    context.tooltip.item(
         theme, "open-do",
         {"", "Begins the preset, the scene or the run in the place of this one.", "Key: Enter", "", ""});
     ImGui::SameLine();
     if (ImGui::Button("Cancel", {width, 0})) ImGui::CloseCurrentPopup();
     context.trace.control("open-cancel");
-    context.help.item(theme, "open-cancel", {"", "Leaves the run as it is.", "Key: Esc", "", ""});
+    context.tooltip.item(theme, "open-cancel", {"", "Leaves the run as it is.", "Key: Esc", "", ""});
     ImGui::EndPopup();
 }
 

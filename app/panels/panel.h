@@ -29,7 +29,7 @@ struct PanelContext {
     const FrameLog& frames;
     const LaneFields& fields;  ///< what the chosen view shows of every lane
     const LaneNames& names;    ///< of the newest snapshot's lanes
-    HoverHelp& help;
+    Tooltip& tooltip;
     Trace& trace;
     BackgroundRects& backgrounds;
 

@@ -72,7 +72,7 @@ void help(PanelContext& context, const Parameter& p, const std::string& idle) {
         const SchemeInfo& chosen = p.choices[static_cast<std::size_t>(p.get(context.scene()))];
         what += "\n" + std::string(chosen.label) + ": " + std::string(chosen.help);
     }
-    context.help.item(context.theme, p.key, {p.label, what, last_line, source, idle});
+    context.tooltip.item(context.theme, p.key, {p.label, what, last_line, source, idle});
 }
 
 void choice(PanelContext& context, const Parameter& p, const char* id) {
@@ -88,7 +88,7 @@ void choice(PanelContext& context, const Parameter& p, const char* id) {
         }
         const std::string key = p.key + "=" + std::string(info.key);
         context.trace.control(key);
-        context.help.item(context.theme, key, {info.label, info.help, "", info.source, ""});
+        context.tooltip.item(context.theme, key, {info.label, info.help, "", info.source, ""});
     }
     ImGui::EndCombo();
 }

@@ -5,7 +5,7 @@
 
 namespace whorl::app {
 
-/// A labelled row: slider, list or check box with the parameter's value, its help on hover, and why it is
+/// A labelled row: slider, list or check box with the parameter's value, its help on tooltip, and why it is
 /// disabled where it has no effect. A change is sent to the run.
 void parameter_row(PanelContext& context, const Parameter& parameter);
 

@@ -22,11 +22,11 @@ void size_row(PanelContext& context) {
             context.files.picture.scale = scale;
         const std::string key = "picture-size=" + std::to_string(scale);
         context.trace.control(key);
-        context.help.item(context.theme, key,
-                          {"Size of pictures",
-                           "Pixels to a point: everything grows with it, lines and letters "
-                           "too. 4× is for posters, and takes a moment.",
-                           "", "", ""});
+        context.tooltip.item(context.theme, key,
+                             {"Size of pictures",
+                              "Pixels to a point: everything grows with it, lines and letters "
+                              "too. 4× is for posters, and takes a moment.",
+                              "", "", ""});
     }
 }
 
@@ -37,23 +37,24 @@ void paper_row(PanelContext& context) {
     bool& light = context.files.picture.light;
     if (chip(context.theme, "Dark", !light, width)) light = false;
     context.trace.control("picture=dark");
-    context.help.item(context.theme, "picture=dark",
-                      {"Dark", "Light on dark, as in the window.", "", "", ""});
+    context.tooltip.item(context.theme, "picture=dark",
+                         {"Dark", "Light on dark, as in the window.", "", "", ""});
     ImGui::SameLine();
     if (chip(context.theme, "Light", light, width)) light = true;
     context.trace.control("picture=light");
-    context.help.item(context.theme, "picture=light", {"Light", "Dark on white, for print.", "", "", ""});
+    context.tooltip.item(context.theme, "picture=light", {"Light", "Dark on white, for print.", "", "", ""});
 }
 
 void film_row(PanelContext& context) {
     if (!context.files.filming) {
         if (ImGui::Button("Record animation…", {-FLT_MIN, 0})) context.files.ask_film = true;
         context.trace.control("film");
-        context.help.item(context.theme, "film",
-                          {"Record animation",
-                           "The run from its start up to now as MP4, GIF or numbered pictures. It is worked "
-                           "out again beside the window, which goes on.",
-                           "", "", ""});
+        context.tooltip.item(
+            context.theme, "film",
+            {"Record animation",
+             "The run from its start up to now as MP4, GIF or numbered pictures. It is worked "
+             "out again beside the window, which goes on.",
+             "", "", ""});
         return;
     }
     char line[160];
@@ -61,8 +62,8 @@ void film_row(PanelContext& context) {
                   context.files.filming->seconds);
     if (ImGui::Button("Cancel")) context.files.cancel_film = true;
     context.trace.control("film-cancel");
-    context.help.item(context.theme, "film-cancel",
-                      {"Cancel the animation", "Stops recording it; nothing of it is left.", "", "", ""});
+    context.tooltip.item(context.theme, "film-cancel",
+                         {"Cancel the animation", "Stops recording it; nothing of it is left.", "", "", ""});
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
     text(context.theme.palette.text_dim, fitted(line, ImGui::GetContentRegionAvail().x));
@@ -76,11 +77,11 @@ void draw_picture_panel(PanelContext& context) {
     bool& plots = context.files.picture.plots;
     if (check("With the plots", plots)) plots = !plots;
     context.trace.control("picture-plots");
-    context.help.item(context.theme, "picture-plots",
-                      {"With the plots", "Puts the measures over steps beneath the fields.", "", "", ""});
+    context.tooltip.item(context.theme, "picture-plots",
+                         {"With the plots", "Puts the measures over steps beneath the fields.", "", "", ""});
     if (ImGui::Button("Take picture", {-FLT_MIN, 0})) context.files.take_picture = true;
     context.trace.control("picture");
-    context.help.item(
+    context.tooltip.item(
         context.theme, "picture",
         {"Take picture",
          "All that is compared as whorl-0001.png, the next free number, in the folder the program "
@@ -90,7 +91,7 @@ void draw_picture_panel(PanelContext& context) {
     film_row(context);
     if (ImGui::Button("Save plots as CSV", {-FLT_MIN, 0})) context.files.save_plots = true;
     context.trace.control("csv");
-    context.help.item(
+    context.tooltip.item(
         context.theme, "csv",
         {"Save plots as CSV",
          "The measures of every lane as whorl-0001.csv, a row a lane and step. Of a long run the "

@@ -26,16 +26,16 @@ void transport(PanelContext& context) {
     if (ImGui::Button(playing ? "Pause###play" : "Play###play", {width, 0})) context.client.play(!playing);
     ImGui::PopStyleColor(4);
     context.trace.control("play");
-    context.help.item(context.theme, "play",
-                      {"", "Lets the run go on, or stands it still.", "Key: Space", "", ""});
+    context.tooltip.item(context.theme, "play",
+                         {"", "Lets the run go on, or stands it still.", "Key: Space", "", ""});
     ImGui::SameLine();
     if (ImGui::Button("Step", {width, 0})) context.client.step();
     context.trace.control("step");
-    context.help.item(context.theme, "step", {"", "One step, then pause. Key: full stop", "", "", ""});
+    context.tooltip.item(context.theme, "step", {"", "One step, then pause. Key: full stop", "", "", ""});
     ImGui::SameLine();
     if (ImGui::Button("Reset", {-FLT_MIN, 0})) context.client.restart();
     context.trace.control("reset");
-    context.help.item(
+    context.tooltip.item(
         context.theme, "reset",
         {"", "Back to the start of the scene, with the schemes as they are set. Key: R", "", "", ""});
 }
@@ -45,15 +45,15 @@ void files(PanelContext& context) {
     const float width = std::floor((ImGui::GetContentRegionAvail().x - gap) / 2);
     if (ImGui::Button("Open…", {width, 0})) context.files.ask_open = true;
     context.trace.control("open");
-    context.help.item(context.theme, "open",
-                      {"Open",
-                       "A preset, a scene or run, or a picture of Whorl: it brings its run back. Files "
-                       "can also be dropped on the window.",
-                       "Key: Ctrl+O", "", ""});
+    context.tooltip.item(context.theme, "open",
+                         {"Open",
+                          "A preset, a scene or run, or a picture of Whorl: it brings its run back. Files "
+                          "can also be dropped on the window.",
+                          "Key: Ctrl+O", "", ""});
     ImGui::SameLine();
     if (ImGui::Button("Save run", {-FLT_MIN, 0})) context.files.save_run = true;
     context.trace.control("save-run");
-    context.help.item(
+    context.tooltip.item(
         context.theme, "save-run",
         {"Save run",
          "The scene, the lanes and all that was done, as whorl-0001.toml, the next free number, in "
@@ -68,7 +68,7 @@ void scene_item(PanelContext& context, std::string_view key, const Scene& scene,
     if (list_item(id.c_str(), chosen)) context.client.load_scene(key, scene);
     const std::string name = "scene=" + std::string(key);
     context.trace.control(name);
-    context.help.item(context.theme, name, {scene.title, help, hint, source, ""});
+    context.tooltip.item(context.theme, name, {scene.title, help, hint, source, ""});
 }
 
 bool is_preset(std::string_view key) {
@@ -106,8 +106,8 @@ void scenes(PanelContext& context) {
     }
     context.trace.control("scene");
     const Experiment& start = experiment(context.scene().experiment);
-    context.help.item(context.theme, "scene",
-                      {context.scene().title, start.info.help, "", start.info.source, ""});
+    context.tooltip.item(context.theme, "scene",
+                         {context.scene().title, start.info.help, "", start.info.source, ""});
 }
 
 void pace(PanelContext& context) {
@@ -117,18 +117,18 @@ void pace(PanelContext& context) {
     bool changed = slider(context.theme, "##steps per frame", pace.steps_per_frame, {1, 16}, "");
     ImGui::EndDisabled();
     context.trace.control("steps-per-frame");
-    context.help.item(context.theme, "steps-per-frame",
-                      {"Steps per frame",
-                       "How many time steps the run may take for each frame of the window. If they take "
-                       "longer, the run is slower, not the window.",
-                       "", "", pace.unlimited ? "The run goes as fast as it can." : ""});
+    context.tooltip.item(context.theme, "steps-per-frame",
+                         {"Steps per frame",
+                          "How many time steps the run may take for each frame of the window. If they take "
+                          "longer, the run is slower, not the window.",
+                          "", "", pace.unlimited ? "The run goes as fast as it can." : ""});
     if (check("As fast as it can", pace.unlimited)) {
         pace.unlimited = !pace.unlimited;
         changed = true;
     }
     context.trace.control("unlimited");
-    context.help.item(context.theme, "unlimited",
-                      {"As fast as it can", "Steps without waiting for the window's frames.", "", "", ""});
+    context.tooltip.item(context.theme, "unlimited",
+                         {"As fast as it can", "Steps without waiting for the window's frames.", "", "", ""});
     if (changed) context.client.set_pace(pace);
 }
 

@@ -78,7 +78,7 @@ void draw_timeline(PanelContext& context) {
         const long to = std::lround(static_cast<double>(share) * static_cast<double>(moment.last_step));
         if (to != sought.value_or(moment.step)) context.client.seek(to);
     }
-    context.help.item(theme, "timeline", {"Timeline", help_text(), memory_text(), "", ""});
+    context.tooltip.item(theme, "timeline", {"Timeline", help_text(), memory_text(), "", ""});
 
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float middle = std::floor(corner.y + 0.5f * height);

@@ -32,9 +32,9 @@ void view_chips(PanelContext& context) {
         ImGui::EndDisabled();
         const std::string key = "view=" + std::string(view.key);
         context.trace.control(key);
-        context.help.item(context.theme, key,
-                          {view.label, view.help, view.unit, "",
-                           known ? "" : "The exact solution is not known at this time."});
+        context.tooltip.item(context.theme, key,
+                             {view.label, view.help, view.unit, "",
+                              known ? "" : "The exact solution is not known at this time."});
     }
     ImGui::PopStyleVar();
 }
@@ -50,7 +50,7 @@ void map_list(PanelContext& context) {
             }
             const std::string key = "map=" + std::string(map.key);
             context.trace.control(key);
-            context.help.item(
+            context.tooltip.item(
                 context.theme, key,
                 {map.label,
                  map.kind == ColourMap::Kind::Diverging ? "From one hue over the neutral value to another."
@@ -60,7 +60,7 @@ void map_list(PanelContext& context) {
         ImGui::EndCombo();
     }
     context.trace.control("map");
-    context.help.item(
+    context.tooltip.item(
         context.theme, "map",
         {"Colours", "Diverging maps for what has a neutral value, sequential ones otherwise.", "", "", ""});
 }
@@ -69,7 +69,7 @@ void range(PanelContext& context) {
     ColourRange& range = context.view.range;
     if (check("Hold the range", range.held())) range.hold(!range.held());
     context.trace.control("hold-range");
-    context.help.item(
+    context.tooltip.item(
         context.theme, "hold-range",
         {"Hold the range", "Otherwise the colour bar follows the least and greatest value.", "", "", ""});
     row_label(context.theme, "Range");
@@ -78,9 +78,9 @@ void range(PanelContext& context) {
     const float speed = std::max(1e-6f, 0.005f * (ends[1] - ends[0]));
     if (ImGui::DragFloat2("##range", ends, speed, 0, 0, "%.4g")) range.set({ends[0], ends[1]});
     ImGui::EndDisabled();
-    context.help.item(context.theme, "range",
-                      {"Range", "Values at the ends of the colour bar.", "Drag, or Ctrl+click to type", "",
-                       range.held() ? "" : "The range follows the field; hold it to set it."});
+    context.tooltip.item(context.theme, "range",
+                         {"Range", "Values at the ends of the colour bar.", "Drag, or Ctrl+click to type", "",
+                          range.held() ? "" : "The range follows the field; hold it to set it."});
 }
 
 }  // namespace
@@ -93,20 +93,20 @@ void draw_view_panel(PanelContext& context) {
     const float half = 0.5f * ImGui::GetContentRegionAvail().x;
     if (check("Crisp pixels", context.view.crisp)) context.view.crisp = !context.view.crisp;
     context.trace.control("crisp");
-    context.help.item(
+    context.tooltip.item(
         context.theme, "crisp",
         {"Crisp pixels", "Squares of one value each; otherwise smooth between the cells.", "", "", ""});
     ImGui::SameLine(left + half);
     if (check("Arrows", context.view.arrows)) context.view.arrows = !context.view.arrows;
     context.trace.control("arrows");
-    context.help.item(context.theme, "arrows", {"Arrows", "The velocity, over the field.", "", "", ""});
+    context.tooltip.item(context.theme, "arrows", {"Arrows", "The velocity, over the field.", "", "", ""});
     const bool looked_at = context.view.shown->of_limiters;
     ImGui::BeginDisabled(looked_at);
     if (check("Count limited nodes", context.view.count_limited || looked_at))
         context.view.count_limited = !context.view.count_limited;
     ImGui::EndDisabled();
     context.trace.control("count-limited");
-    context.help.item(
+    context.tooltip.item(
         context.theme, "count-limited",
         {"Count limited nodes",
          "A plot of how many nodes a limiter or a clamped interpolation changed in each step. Costs "

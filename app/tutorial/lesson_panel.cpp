@@ -14,10 +14,10 @@ float gap() {
     return ImGui::GetStyle().ItemSpacing.x;
 }
 
-bool button(PanelContext& context, const char* label, const char* key, float width, const HelpText& help) {
+bool button(PanelContext& context, const char* label, const char* key, float width, const TooltipText& help) {
     const bool pressed = ImGui::Button(label, {width, 0});
     context.trace.control(key);
-    context.help.item(context.theme, key, help);
+    context.tooltip.item(context.theme, key, help);
     return pressed;
 }
 
@@ -90,7 +90,7 @@ void draw_entry(PanelContext& context, LessonWalk& walk, const Lesson& lesson, i
         walk.begin(lesson, context.client, context.view);
     context.trace.control(key);
     const std::string steps = std::to_string(lesson.steps.size()) + " steps";
-    context.help.item(theme, key, {lesson.title, lesson.summary, steps, "", ""});
+    context.tooltip.item(theme, key, {lesson.title, lesson.summary, steps, "", ""});
     list.ChannelsSetCurrent(0);
     list.AddRectFilled(corner, {corner.x + width, corner.y + height},
                        ImGui::IsItemHovered() ? theme.palette.frame : theme.palette.card, theme.px(5));

@@ -37,7 +37,7 @@ float height_of(const ImFont& font, const std::string& text) {
 bool button(PanelContext& context, const char* label, const char* key, float width, const char* help) {
     const bool pressed = ImGui::Button(label, {width, 0});
     context.trace.control(key);
-    context.help.item(context.theme, key, {"", help, "", "", ""});
+    context.tooltip.item(context.theme, key, {"", help, "", "", ""});
     return pressed;
 }
 

@@ -18,15 +18,15 @@ void line(ImU32 colour, std::string_view text) {
 
 }  // namespace
 
-void HoverHelp::item(const Theme& theme, std::string_view key, const HelpText& help) {
-    if (heard) heard(key, help);
+void Tooltip::item(const Theme& theme, std::string_view key, const TooltipText& help) {
+    if (on_item) on_item(key, help);
     if (ImGui::IsItemActive()) return;
     // A row's label stands for its control.
     const bool on_label = on_row_label();
     if (!on_label && !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
     seen_ = true;
-    if (resting_on_ != key) {
-        resting_on_ = key;
+    if (hovered_ != key) {
+        hovered_ = key;
         since_ = ImGui::GetTime();
     }
     if (ImGui::GetTime() - since_ < patience) return;
@@ -49,8 +49,8 @@ void HoverHelp::item(const Theme& theme, std::string_view key, const HelpText& h
     ImGui::PopStyleVar();
 }
 
-void HoverHelp::end_frame() {
-    if (!seen_) resting_on_.clear();
+void Tooltip::end_frame() {
+    if (!seen_) hovered_.clear();
     seen_ = false;
 }
 

@@ -10,7 +10,7 @@
 namespace whorl::app {
 
 /// What the help says. Empty parts are left out.
-struct HelpText {
+struct TooltipText {
     std::string_view title;
     std::string_view text;
     std::string_view detail;   ///< dim: unit, range, key
@@ -19,17 +19,17 @@ struct HelpText {
 };
 
 /// Waits until the pointer has rested on one thing for a moment.
-class HoverHelp {
+class Tooltip {
   public:
     /// Call right after the item. @param key  tells items apart
-    void item(const Theme& theme, std::string_view key, const HelpText& help);
+    void item(const Theme& theme, std::string_view key, const TooltipText& help);
     /// Call once a frame, after everything.
     void end_frame();
     /// Is told of every item, for a test that looks for controls without help.
-    std::function<void(std::string_view key, const HelpText& help)> heard;
+    std::function<void(std::string_view key, const TooltipText& help)> on_item;
 
   private:
-    std::string resting_on_;
+    std::string hovered_;
     double since_ = 0;
     bool seen_ = false;
 };

@@ -90,7 +90,7 @@ MainWindow::MainWindow(const WindowOptions& options, GlfwWindow& window)
 
 /// Whether nothing has moved for a while and nobody has done anything, so that a few frames a second will do.
 bool MainWindow::idle() const {
-    constexpr double quiet = 2;  // seconds: hover help has come by then
+    constexpr double quiet = 2;  // seconds: the tooltip has come by then
     return clock_.time() > last_activity_ + quiet;
 }
 
@@ -255,7 +255,7 @@ void MainWindow::type(const InputEvent& event) {
 
 PanelContext MainWindow::context() {
     return {window_.theme(), client_, view_,  measure_view_, files_, history_,
-            frames_,         fields_, names_, help_,         trace_, backgrounds_};
+            frames_,         fields_, names_, tooltip_,      trace_, backgrounds_};
 }
 
 void MainWindow::draw() {
@@ -293,7 +293,7 @@ void MainWindow::draw() {
     files_.enter = files_.escape = false;
     draw_tour(context);
     draw_help_overlay(context);
-    help_.end_frame();
+    tooltip_.end_frame();
     list_open_ = list_open();
     lists_take_keys(list_open_ && !files_.dialog);
     const ImVec2 mouse = ImGui::GetIO().MousePos;

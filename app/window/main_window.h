@@ -56,7 +56,7 @@ class MainWindow {
     FileRequests files_;
     History history_;
     FrameLog frames_;
-    HoverHelp help_;
+    Tooltip tooltip_;
     BrushTool brush_;
     ViewTool view_tool_;
     SliceTool slice_tool_;

@@ -40,8 +40,8 @@ bool is_control(std::string_view key) {
 /// A window that writes down which of its controls say what they are for.
 struct HeardWindow : LanesWindow {
     HeardWindow(HeadlessUi& headless, Recording recording) : LanesWindow(headless, std::move(recording)) {
-        hover.heard = [this](std::string_view key, const HelpText& help) {
-            if (!help.text.empty() || !help.warning.empty()) heard.emplace(key);
+        tooltip.on_item = [this](std::string_view key, const TooltipText& help) {
+            if (!help.text.empty() || !help.warning.empty()) on_item.emplace(key);
         };
         over = [](PanelContext& context) {
             draw_open_dialog(context);
@@ -62,11 +62,11 @@ struct HeardWindow : LanesWindow {
     }
     void expect_help(const std::string& what) const {
         for (const std::string& key : trace.places().names()) {
-            EXPECT_TRUE(heard.count(key) > 0 || !is_control(key)) << what << ": " << key << " says nothing";
+            EXPECT_TRUE(on_item.count(key) > 0 || !is_control(key)) << what << ": " << key << " says nothing";
         }
     }
 
-    std::set<std::string, std::less<>> heard;
+    std::set<std::string, std::less<>> on_item;
 };
 
 Recording run_of(const Scene& scene, std::size_t lanes) {
@@ -101,7 +101,7 @@ TEST_F(Help, IsThereForColumnsTabsAndLists) {
         }
         window.view.renaming = {.id = window.client.ids()[0]};
         window.frames_of(3);
-        EXPECT_GT(window.heard.size(), 60u);
+        EXPECT_GT(window.on_item.size(), 60u);
         window.expect_help(std::to_string(lanes) + " lanes");
     }
 }
@@ -147,7 +147,7 @@ TEST_F(Help, IsThereInDialogsTourAndHelp) {
     window.view.help = true;
     window.frames_of(3);
     for (const char* key : {"open-do", "film-do", "tour-next", "help-tour"})
-        EXPECT_TRUE(window.heard.count(key)) << key << " was not drawn";
+        EXPECT_TRUE(window.on_item.count(key)) << key << " was not drawn";
     window.expect_help("dialogs");
 }
 
@@ -163,7 +163,7 @@ TEST_F(Help, IsThereInLessons) {
     walk.begin(lessons().back(), window.client, window.view);
     while (!walk.last()) walk.next(window.client, window.view);
     window.frames_of(3);
-    EXPECT_TRUE(window.heard.count("lesson-next"));
+    EXPECT_TRUE(window.on_item.count("lesson-next"));
     window.expect_help("lessons");
 }
 

@@ -33,7 +33,7 @@ struct LanesWindow {
         view.range.follow(*view.shown, view.difference, fields.span(), ColourRange::at_once);
         backgrounds.clear();
         PanelContext context{ui.theme, client, view,  measure_view, files, history,
-                             frames,   fields, names, hover,        trace, backgrounds};
+                             frames,   fields, names, tooltip,      trace, backgrounds};
         const ImVec2 size = ImGui::GetIO().DisplaySize;
         layout = lay_out(ui.theme, field_shape(session, view), size.x, size.y,
                          view.lessons || view.labs.inspector.open);
@@ -50,7 +50,7 @@ struct LanesWindow {
             });
             draw_labs(context);
             if (over) over(context);
-            hover.end_frame();
+            tooltip.end_frame();
         });
     }
     /// Frames until something is so.
@@ -84,7 +84,7 @@ struct LanesWindow {
     FrameLog frames;
     LaneFields fields;
     LaneNames names;
-    HoverHelp hover;
+    Tooltip tooltip;
     Trace trace;
     BackgroundRects backgrounds;
     Layout layout{};

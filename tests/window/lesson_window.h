@@ -32,7 +32,7 @@ struct LessonWindow {
         fields.update(session, *view.shown, view.difference);
         backgrounds.clear();
         PanelContext context{ui.theme, client, view,  measures, files, history,
-                             frames,   fields, names, hover,    trace, backgrounds};
+                             frames,   fields, names, tooltip,  trace, backgrounds};
         const ImVec2 screen = ImGui::GetIO().DisplaySize;
         const float width = ui.theme.px(lesson_column_width);
         const float margin = ui.theme.px(8);
@@ -44,7 +44,7 @@ struct LessonWindow {
             draw_lesson_panel(context, walk);
             column = ImGui::GetCurrentWindow()->Rect();
             ImGui::End();
-            hover.end_frame();
+            tooltip.end_frame();
         });
     }
     template <class IsSo>
@@ -93,7 +93,7 @@ struct LessonWindow {
     FrameLog frames;
     LaneFields fields;
     LaneNames names;
-    HoverHelp hover;
+    Tooltip tooltip;
     Trace trace{""};
     BackgroundRects backgrounds;
     LessonWalk walk;

@@ -58,7 +58,7 @@ std::string drawn(HeadlessUi& ui, const Recording& run, Look look) {
         frames.add(16.7, 5);
         LaneFields fields;
         LaneNames names;
-        HoverHelp hover;
+        Tooltip tooltip;
         Trace trace(path);
         BackgroundRects backgrounds;
         for (int frame = 0; frame < 3; ++frame) {
@@ -69,7 +69,7 @@ std::string drawn(HeadlessUi& ui, const Recording& run, Look look) {
             fields.update(client.session(), *view.shown, view.difference);
             names.update(client.session().setup);
             PanelContext context{ui.theme, client, view,  measure_view, files, history,
-                                 frames,   fields, names, hover,        trace, backgrounds};
+                                 frames,   fields, names, tooltip,      trace, backgrounds};
             ui.frame([&] {
                 draw_control_column(context);
                 draw_measure_column(context);
@@ -78,7 +78,7 @@ std::string drawn(HeadlessUi& ui, const Recording& run, Look look) {
                 draw_open_dialog(context);
                 draw_film_dialog(context);
                 draw_help_overlay(context);
-                hover.end_frame();
+                tooltip.end_frame();
             });
         }
     }
