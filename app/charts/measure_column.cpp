@@ -119,7 +119,7 @@ void draw_measure_column(PanelContext& context) {
     const bool reading = context.view.lessons;
     if (ImGui::Button(reading ? "Lesson" : "Lessons", {width, 0})) {
         context.view.lessons = true;
-        context.view.peeks_at_measures = false;
+        context.view.shows_measures = false;
     }
     context.trace.control("lessons");
     context.tooltip.item(

@@ -42,7 +42,7 @@ struct ViewState {
     bool count_limited = false;                    ///< the nodes that limiters change, beside the measures
     bool help = false;                             ///< the keys are shown
     bool lessons = false;                          ///< a lesson stands where the measures do
-    bool peeks_at_measures = false;                ///< in place of the lesson, for a while
+    bool shows_measures = false;                   ///< in place of the lesson, for a while
     ColourRange range;
     Renaming renaming;
     LabState labs;

@@ -10,6 +10,6 @@ namespace whorl::app {
 inline constexpr float lesson_column_width = 300;
 
 /// Draws into the current window.
-void draw_lesson_panel(PanelContext& context, LessonWalk& walk);
+void draw_lesson_panel(PanelContext& context, LessonPlayer& lesson_player);
 
 }  // namespace whorl::app

@@ -33,52 +33,52 @@ void look(const LessonStep& step, SessionClient& client, ViewState& view) {
 
 }  // namespace
 
-void LessonWalk::set_open(bool open, SessionClient& client) {
+void LessonPlayer::set_open(bool open, SessionClient& client) {
     const bool closes = open_ && !open;
     open_ = open;
     if (!closes) return;
-    if (kept_.keeps(client)) left_.reset();
-    kept_.give_back(client);
+    if (saved_run_.holds(client)) left_.reset();
+    saved_run_.give_back(client);
 }
 
-void LessonWalk::begin(const Lesson& lesson, SessionClient& client, const ViewState& view) {
+void LessonPlayer::begin(const Lesson& lesson, SessionClient& client, const ViewState& view) {
     open_ = true;
     lesson_ = &lesson;
     enter(0, client, view);
 }
 
-void LessonWalk::begin_own(std::shared_ptr<const Lesson> lesson, SessionClient& client,
-                           const ViewState& view) {
+void LessonPlayer::begin_own(std::shared_ptr<const Lesson> lesson, SessionClient& client,
+                             const ViewState& view) {
     own_ = std::move(lesson);
     begin(*own_, client, view);
 }
 
-void LessonWalk::next(SessionClient& client, const ViewState& view) {
+void LessonPlayer::next(SessionClient& client, const ViewState& view) {
     if (lesson_ != nullptr && !last()) enter(place_ + 1, client, view);
 }
 
-void LessonWalk::back(SessionClient& client, const ViewState& view) {
+void LessonPlayer::back(SessionClient& client, const ViewState& view) {
     if (lesson_ != nullptr && !first()) enter(place_ - 1, client, view);
 }
 
-const Lesson* LessonWalk::next_lesson() const {
+const Lesson* LessonPlayer::next_lesson() const {
     const std::span<const Lesson> all = lessons();
     const auto here = std::find_if(all.begin(), all.end(), [&](const Lesson& l) { return &l == lesson_; });
     return here == all.end() || here + 1 == all.end() ? nullptr : &*(here + 1);
 }
 
-void LessonWalk::enter(std::size_t place, SessionClient& client, const ViewState& view) {
+void LessonPlayer::enter(std::size_t place, SessionClient& client, const ViewState& view) {
     place_ = place;
     turned_ = true;
     show(client, view);
 }
 
-void LessonWalk::show(SessionClient& client, const ViewState& view) {
+void LessonPlayer::show(SessionClient& client, const ViewState& view) {
     left_ = client.session().run;
-    kept_.load_over(step().scene, step().recording, client, view);
+    saved_run_.load_over(step().scene, step().recording, client, view);
 }
 
-bool LessonWalk::take(const InputEvent& event, SessionClient& client, const ViewState& view) {
+bool LessonPlayer::take(const InputEvent& event, SessionClient& client, const ViewState& view) {
     if (!open_ || lesson_ == nullptr || event.kind != InputEvent::Kind::Key) return false;
     if (event.code != GLFW_KEY_PAGE_DOWN && event.code != GLFW_KEY_PAGE_UP) return false;
     if (event.repeated) return true;
@@ -90,15 +90,15 @@ bool LessonWalk::take(const InputEvent& event, SessionClient& client, const View
     return true;
 }
 
-bool LessonWalk::begun(const SessionClient& client) const {
+bool LessonPlayer::begun(const SessionClient& client) const {
     const SessionSnapshot& session = client.session();
     const Recording& recording = step().recording;
     // Turning pages quickly, another step's run may begin in between. Commands may change a setup.
     return session.run != *left_ && (!recording.commands.empty() || session.setup == recording.setup);
 }
 
-void LessonWalk::update(SessionClient& client, ViewState& view) {
-    kept_.update(client, view);
+void LessonPlayer::update(SessionClient& client, ViewState& view) {
+    saved_run_.update(client, view);
     if (lesson_ == nullptr || !left_ || !begun(client)) return;
     // A view may have nothing to show before the step's moment.
     look(step(), client, view);

@@ -15,7 +15,7 @@ namespace whorl::app {
 
 /// Where a student is. A step is shown in one go: its run is loaded, paused, and once it stands at the step's
 /// moment it is looked at as the step says.
-class LessonWalk {
+class LessonPlayer {
   public:
     /// Whether the panel is open.
     bool open() const { return open_; }
@@ -23,7 +23,7 @@ class LessonWalk {
     /// since then stays.
     void set_open(bool open, SessionClient& client);
     /// Whether there is a run to give back.
-    bool keeps_run(const SessionClient& client) const { return kept_.keeps(client); }
+    bool keeps_run(const SessionClient& client) const { return saved_run_.holds(client); }
 
     /// The lesson that is read; null while one is chosen.
     const Lesson* lesson() const { return lesson_; }
@@ -64,7 +64,7 @@ class LessonWalk {
     const Lesson* lesson_ = nullptr;
     std::size_t place_ = 0;
     bool turned_ = false;
-    KeptRun kept_;
+    SavedRun saved_run_;
     std::optional<int> left_;  ///< the run before, while the step's has not come to its moment
 };
 

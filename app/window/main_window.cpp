@@ -128,7 +128,7 @@ void MainWindow::frame() {
 void MainWindow::read_lesson() {
     lessons_.begin_own(std::move(files_.lesson), client_, view_);
     view_.lessons = true;
-    view_.peeks_at_measures = false;
+    view_.shows_measures = false;
 }
 
 /// Takes the newest state, its measures, and what is shown of it with its range.
@@ -239,7 +239,7 @@ void MainWindow::type(const InputEvent& event) {
             return;
         case 'l':
         case 'L':
-            view_.lessons = !view_.lessons || std::exchange(view_.peeks_at_measures, false);
+            view_.lessons = !view_.lessons || std::exchange(view_.shows_measures, false);
             return;
         case 'q':
         case 'Q':
@@ -280,7 +280,7 @@ void MainWindow::draw() {
     place_ = draw_field_area(context);
     ImGui::End();
     begin_panel("measures", layout, layout.measures, theme, backgrounds_);
-    if (view_.lessons && !view_.peeks_at_measures) {
+    if (view_.lessons && !view_.shows_measures) {
         draw_lesson_panel(context, lessons_);
         view_.lessons = lessons_.open();
     } else {

@@ -70,7 +70,7 @@ class MainWindow {
     std::unique_ptr<Player> player_;
     SessionClient client_;
     FileService file_service_;
-    LessonWalk lessons_;
+    LessonPlayer lessons_;
 };
 
 }  // namespace whorl::app

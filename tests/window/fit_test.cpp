@@ -161,18 +161,18 @@ class FitLessons : public Fit {};
 
 TEST_P(FitLessons, ListAndEveryStep) {
     LanesWindow window(ui_, with_lanes(1));
-    LessonWalk walk;
+    LessonPlayer lesson_player;
     window.view.lessons = true;
-    window.instead = [&](PanelContext& context) { draw_lesson_panel(context, walk); };
-    walk.set_open(true, window.client);
+    window.instead = [&](PanelContext& context) { draw_lesson_panel(context, lesson_player); };
+    lesson_player.set_open(true, window.client);
     for (int frame = 0; frame < 3; ++frame) window.frame();
     expect_whole("list of lessons");
     for (const Lesson& lesson : lessons()) {
-        walk.begin(lesson, window.client, window.view);
+        lesson_player.begin(lesson, window.client, window.view);
         for (std::size_t k = 0; k < lesson.steps.size(); ++k) {
             for (int frame = 0; frame < 3; ++frame) window.frame();
             expect_whole(lesson.key + " " + std::to_string(k + 1), names_in(window));
-            walk.next(window.client, window.view);
+            lesson_player.next(window.client, window.view);
         }
     }
 }
@@ -188,10 +188,10 @@ TEST_P(FitInspector, BesideALesson) {
             set_parameter(run.setup.scene, schemes);
             run.step = 20;
             LanesWindow window(ui_, run);
-            LessonWalk walk;
+            LessonPlayer lesson_player;
             window.view.lessons = window.view.labs.inspector.open = true;
             window.view.labs.inspector.pick({11.3, 1.25});
-            window.instead = [&](PanelContext& context) { draw_lesson_panel(context, walk); };
+            window.instead = [&](PanelContext& context) { draw_lesson_panel(context, lesson_player); };
             ASSERT_TRUE(window.eventually([&] { return window.client.snapshot().explanation.has_value(); }));
             for (int frame = 0; frame < 3; ++frame) window.frame();
             expect_whole(std::string(experiment_name) + " " + schemes, names_in(window));

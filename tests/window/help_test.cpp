@@ -153,15 +153,15 @@ TEST_F(Help, IsThereInDialogsTourAndHelp) {
 
 TEST_F(Help, IsThereInLessons) {
     HeardWindow window(ui_, run_of(presets().front().scene(), 1));
-    LessonWalk walk;
-    window.instead = [&](PanelContext& context) { draw_lesson_panel(context, walk); };
+    LessonPlayer lesson_player;
+    window.instead = [&](PanelContext& context) { draw_lesson_panel(context, lesson_player); };
     window.frames_of(3);
-    walk.begin(lessons().front(), window.client, window.view);
+    lesson_player.begin(lessons().front(), window.client, window.view);
     window.frames_of(3);
-    while (!walk.last()) walk.next(window.client, window.view);
+    while (!lesson_player.last()) lesson_player.next(window.client, window.view);
     window.frames_of(3);
-    walk.begin(lessons().back(), window.client, window.view);
-    while (!walk.last()) walk.next(window.client, window.view);
+    lesson_player.begin(lessons().back(), window.client, window.view);
+    while (!lesson_player.last()) lesson_player.next(window.client, window.view);
     window.frames_of(3);
     EXPECT_TRUE(window.on_item.count("lesson-next"));
     window.expect_help("lessons");

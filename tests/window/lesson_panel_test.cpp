@@ -62,17 +62,17 @@ class LessonPanel : public testing::TestWithParam<float> {};
 TEST_P(LessonPanel, CutsNothingOffOnAProjector) {
     HeadlessUi ui(1024, 768, GetParam());
     LessonWindow window(ui);
-    window.walk.set_open(true, window.client);
+    window.lesson_player.set_open(true, window.client);
     for (int frame = 0; frame < 3; ++frame) window.frame();
     expect_no_text_is_cut(window, "list");
     for (const Lesson& lesson : lessons()) {
-        window.walk.begin(lesson, window.client, window.view);
+        window.lesson_player.begin(lesson, window.client, window.view);
         for (std::size_t k = 0; k < lesson.steps.size(); ++k) {
             for (int frame = 0; frame < 3; ++frame)
                 window.frame();  // a scroll bar takes its room in the second
             expect_no_text_is_cut(window, lesson.key + " " + std::to_string(k + 1));
-            expect_formulas_fit(ui.theme, window.walk.step());
-            window.walk.next(window.client, window.view);
+            expect_formulas_fit(ui.theme, window.lesson_player.step());
+            window.lesson_player.next(window.client, window.view);
         }
     }
 }

@@ -50,11 +50,11 @@ TEST(LessonPanelWalk, ShowsEachStepInOneGo) {
     HeadlessUi ui(1024, 768, 1.0f);
     LessonWindow window(ui);
     const Lesson lesson = walked_lesson();
-    window.walk.begin(lesson, window.client, window.view);
+    window.lesson_player.begin(lesson, window.client, window.view);
     EXPECT_TRUE(window.eventually([&] { return window.shows(lesson.steps[0]); }));
     EXPECT_EQ(window.client.loaded(), "rest");
     window.press(GLFW_KEY_PAGE_UP);
-    EXPECT_TRUE(window.walk.first());
+    EXPECT_TRUE(window.lesson_player.first());
     window.press(GLFW_KEY_PAGE_DOWN);
     // The exact solution is known at the step's moment alone, and shown there.
     EXPECT_TRUE(window.eventually([&] { return window.shows(lesson.steps[1]); }));
@@ -62,14 +62,14 @@ TEST(LessonPanelWalk, ShowsEachStepInOneGo) {
     EXPECT_EQ(window.client.other(), 1u);
     window.press(GLFW_KEY_PAGE_DOWN);
     EXPECT_TRUE(window.eventually([&] { return window.shows(lesson.steps[2]); }));
-    EXPECT_TRUE(window.walk.last());
+    EXPECT_TRUE(window.lesson_player.last());
     window.press(GLFW_KEY_PAGE_DOWN);
-    EXPECT_EQ(window.walk.place(), 2u);
+    EXPECT_EQ(window.lesson_player.place(), 2u);
     window.press(GLFW_KEY_PAGE_UP);
     EXPECT_TRUE(window.eventually([&] { return window.shows(lesson.steps[1]); }));
-    window.walk.leave();
+    window.lesson_player.leave();
     window.frame();
-    EXPECT_EQ(window.walk.lesson(), nullptr);
+    EXPECT_EQ(window.lesson_player.lesson(), nullptr);
     EXPECT_TRUE(window.shows(lesson.steps[1]));
 }
 
@@ -77,9 +77,9 @@ TEST(LessonPanelWalk, ShowsAgainWhatWasPlayedWith) {
     HeadlessUi ui(1024, 768, 1.0f);
     LessonWindow window(ui);
     const Lesson lesson = walked_lesson();
-    window.walk.begin(lesson, window.client, window.view);
-    window.walk.next(window.client, window.view);
-    window.walk.next(window.client, window.view);
+    window.lesson_player.begin(lesson, window.client, window.view);
+    window.lesson_player.next(window.client, window.view);
+    window.lesson_player.next(window.client, window.view);
     ASSERT_TRUE(window.eventually([&] { return window.shows(lesson.steps[2]); }));
     window.client.set(parameter("beta"), 0.1);
     window.client.play(true);
@@ -87,7 +87,7 @@ TEST(LessonPanelWalk, ShowsAgainWhatWasPlayedWith) {
     window.view.compare = Compare::One;
     ASSERT_TRUE(window.eventually([&] { return window.client.session().step > 20; }));
     EXPECT_EQ(window.view.shown, &view("speed"));
-    window.walk.show(window.client, window.view);
+    window.lesson_player.show(window.client, window.view);
     EXPECT_TRUE(window.eventually([&] { return window.shows(lesson.steps[2]); }));
 }
 
@@ -95,7 +95,7 @@ TEST(LessonPanelWalk, TurnsPagesFasterThanRunsBegin) {
     HeadlessUi ui(1024, 768, 1.0f);
     LessonWindow window(ui);
     const Lesson lesson = walked_lesson();
-    window.walk.begin(lesson, window.client, window.view);
+    window.lesson_player.begin(lesson, window.client, window.view);
     for (int round = 0; round < 5; ++round) {
         window.press(GLFW_KEY_PAGE_DOWN);
         window.press(GLFW_KEY_PAGE_DOWN);
@@ -108,20 +108,20 @@ TEST(LessonPanelWalk, GoesFromALessonToTheNextAndBackToTheList) {
     HeadlessUi ui(1024, 768, 1.0f);
     LessonWindow window(ui);
     const auto to_its_end = [&] {
-        while (!window.walk.last()) window.walk.next(window.client, window.view);
+        while (!window.lesson_player.last()) window.lesson_player.next(window.client, window.view);
         window.frame();
     };
-    window.walk.begin(lessons()[0], window.client, window.view);
+    window.lesson_player.begin(lessons()[0], window.client, window.view);
     to_its_end();
     window.click("lesson-next");
-    EXPECT_EQ(window.walk.lesson(), &lessons()[1]);
-    EXPECT_EQ(window.walk.place(), 0u);
-    EXPECT_TRUE(window.walk.keeps_run(window.client));
-    window.walk.begin(lessons().back(), window.client, window.view);
+    EXPECT_EQ(window.lesson_player.lesson(), &lessons()[1]);
+    EXPECT_EQ(window.lesson_player.place(), 0u);
+    EXPECT_TRUE(window.lesson_player.keeps_run(window.client));
+    window.lesson_player.begin(lessons().back(), window.client, window.view);
     to_its_end();
     window.click("lesson-next");
-    EXPECT_EQ(window.walk.lesson(), nullptr);
-    EXPECT_TRUE(window.walk.open());
+    EXPECT_EQ(window.lesson_player.lesson(), nullptr);
+    EXPECT_TRUE(window.lesson_player.open());
 }
 
 /// A person's own run: something was done in it, and it is looked at in a way of its own.
@@ -158,21 +158,21 @@ TEST(LessonPanelWalk, GivesTheRunBackThatItTookThePlaceOf) {
     const ViewWindow zoom = window.view.window;
     const long last = window.client.session().last_step;
     const Lesson lesson = walked_lesson();
-    window.walk.begin(lesson, window.client, window.view);
-    EXPECT_TRUE(window.walk.keeps_run(window.client));
+    window.lesson_player.begin(lesson, window.client, window.view);
+    EXPECT_TRUE(window.lesson_player.keeps_run(window.client));
     EXPECT_TRUE(window.eventually([&] { return window.shows(lesson.steps[0]); }));
     window.press(GLFW_KEY_PAGE_DOWN);
     EXPECT_TRUE(window.eventually([&] { return window.shows(lesson.steps[1]); }));
     // What is done in a lesson's run, and the way to another lesson, leave it kept.
     window.client.restart();
     window.client.set(parameter("beta"), 0.3);
-    window.walk.leave();
+    window.lesson_player.leave();
     window.frame();
-    EXPECT_TRUE(window.walk.keeps_run(window.client));
-    window.walk.begin(lesson, window.client, window.view);
+    EXPECT_TRUE(window.lesson_player.keeps_run(window.client));
+    window.lesson_player.begin(lesson, window.client, window.view);
     EXPECT_TRUE(window.eventually([&] { return window.shows(lesson.steps[0]); }));
 
-    window.walk.set_open(false, window.client);
+    window.lesson_player.set_open(false, window.client);
     EXPECT_TRUE(window.eventually([&] {
         return window.client.loaded() == "own" && window.client.session().step == 11 &&
                !window.client.sought();
@@ -188,7 +188,7 @@ TEST(LessonPanelWalk, GivesTheRunBackThatItTookThePlaceOf) {
     EXPECT_EQ(window.view.window.high, zoom.high);
     EXPECT_EQ(window.client.selected(), 1u);
     EXPECT_EQ(digest_at(window, 20), later) << "what was done after the step is there as well";
-    EXPECT_FALSE(window.walk.keeps_run(window.client));
+    EXPECT_FALSE(window.lesson_player.keeps_run(window.client));
 }
 
 TEST(LessonPanelWalk, GivesBackARunThatPlays) {
@@ -196,16 +196,16 @@ TEST(LessonPanelWalk, GivesBackARunThatPlays) {
     LessonWindow window(ui);
     make_own_run(window);
     const Lesson lesson = walked_lesson();
-    window.walk.begin(lesson, window.client, window.view);
+    window.lesson_player.begin(lesson, window.client, window.view);
     const long at = window.client.session().step;
     // Closed and opened again before the run has come back: it is kept on.
     EXPECT_TRUE(window.eventually([&] { return window.shows(lesson.steps[0]); }));
-    window.walk.set_open(false, window.client);
+    window.lesson_player.set_open(false, window.client);
     window.frame();
     window.frame();
-    window.walk.begin(lesson, window.client, window.view);
+    window.lesson_player.begin(lesson, window.client, window.view);
     EXPECT_TRUE(window.eventually([&] { return window.shows(lesson.steps[0]); }));
-    window.walk.set_open(false, window.client);
+    window.lesson_player.set_open(false, window.client);
     EXPECT_TRUE(window.eventually([&] {
         return window.client.loaded() == "own" && window.client.playing() &&
                window.client.session().step > at;
@@ -217,24 +217,24 @@ TEST(LessonPanelWalk, LeavesWhatSomeoneHasLoadedSince) {
     LessonWindow window(ui);
     make_own_run(window);
     const Lesson lesson = walked_lesson();
-    window.walk.begin(lesson, window.client, window.view);
+    window.lesson_player.begin(lesson, window.client, window.view);
     EXPECT_TRUE(window.eventually([&] { return window.shows(lesson.steps[0]); }));
     Scene other;
     other.resolution = 12;
     window.client.load("other", {.setup = {.scene = other}});
-    EXPECT_FALSE(window.walk.keeps_run(window.client));
+    EXPECT_FALSE(window.lesson_player.keeps_run(window.client));
     // It is kept in its turn when a step takes its place.
     ASSERT_TRUE(window.eventually([&] { return window.client.session().setup.scene.resolution == 12; }));
-    window.walk.next(window.client, window.view);
+    window.lesson_player.next(window.client, window.view);
     EXPECT_TRUE(window.eventually([&] { return window.shows(lesson.steps[1]); }));
-    window.walk.set_open(false, window.client);
+    window.lesson_player.set_open(false, window.client);
     EXPECT_TRUE(
         window.eventually([&] { return window.client.loaded() == "other" && !window.client.sought(); }));
 
-    window.walk.begin(lesson, window.client, window.view);
+    window.lesson_player.begin(lesson, window.client, window.view);
     EXPECT_TRUE(window.eventually([&] { return window.shows(lesson.steps[0]); }));
     window.client.load("last", {.setup = {.scene = other}});
-    window.walk.set_open(false, window.client);
+    window.lesson_player.set_open(false, window.client);
     ASSERT_TRUE(window.eventually([&] { return window.client.session().setup.scene.resolution == 12; }));
     for (int k = 0; k < 20; ++k) window.frame();
     EXPECT_EQ(window.client.loaded(), "last");
@@ -252,11 +252,11 @@ TEST(LessonPanelWalk, SaysThatARunIsTooLongToComeBack) {
         window.player.push(SetParameter{"beta", k % 2 == 0 ? "0.1" : "0.2"});
     ASSERT_TRUE(window.eventually([&] { return !window.client.session().complete; }));
     const Lesson lesson = walked_lesson();
-    window.walk.begin(lesson, window.client, window.view);
+    window.lesson_player.begin(lesson, window.client, window.view);
     EXPECT_TRUE(window.eventually([&] { return window.shows(lesson.steps[0]); }));
-    EXPECT_FALSE(window.walk.keeps_run(window.client));
+    EXPECT_FALSE(window.lesson_player.keeps_run(window.client));
     EXPECT_EQ(window.notifications.shown().size(), 1u);
-    window.walk.set_open(false, window.client);
+    window.lesson_player.set_open(false, window.client);
     for (int k = 0; k < 20; ++k) window.frame();
     EXPECT_TRUE(window.shows(lesson.steps[0]));
 }

@@ -41,7 +41,7 @@ struct LessonWindow {
             ImGui::SetNextWindowSize({width, screen.y - 2 * margin});
             ImGui::Begin("lessons", nullptr,
                          ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings);
-            draw_lesson_panel(context, walk);
+            draw_lesson_panel(context, lesson_player);
             column = ImGui::GetCurrentWindow()->Rect();
             ImGui::End();
             tooltip.end_frame();
@@ -55,7 +55,7 @@ struct LessonWindow {
         });
     }
     void press(int key) {
-        EXPECT_TRUE(walk.take({.kind = InputEvent::Kind::Key, .code = key}, client, view));
+        EXPECT_TRUE(lesson_player.take({.kind = InputEvent::Kind::Key, .code = key}, client, view));
         frame();
     }
     /// Clicks a control by its name in the trace.
@@ -96,7 +96,7 @@ struct LessonWindow {
     Tooltip tooltip;
     Trace trace{""};
     BackgroundRects backgrounds;
-    LessonWalk walk;
+    LessonPlayer lesson_player;
     ImRect column;
 };
 
