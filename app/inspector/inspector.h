@@ -39,7 +39,7 @@ struct Inspector {
 /// The sum behind a base step's value: the whole one, or of predictor-correctors a part of it.
 const Sum& sum_of(const Explanation& explanation, std::size_t step);
 
-/// The part of the domain that shows a node with all its ways and what was read, which fill about half of it
+/// The part of the domain that shows a node with all its paths and what was read, which fill about half of it
 /// where the closest view lets them.
 /// @param others  of the same node in the lanes beside it, which share the view: all of them is seen too
 /// @param domain  its sides, length

@@ -88,8 +88,8 @@ void row(const Theme& theme, const char* name, double value, ImU32 colour) {
     ImGui::PopFont();
 }
 
-/// The way to the value in a few lines: what a predictor-corrector made of it, or a sum of particles, and the
-/// limiter.
+/// The path to the value in a few lines: what a predictor-corrector made of it, or a sum of particles, and
+/// the limiter.
 void summary(const Theme& theme, const Explanation& e) {
     const auto line = [&](const char* name, double value) { row(theme, name, value, theme.palette.text); };
     if (e.correction) {
@@ -171,7 +171,7 @@ void draw_inspector_window(PanelContext& context) {
     ImGui::BeginChild("inspected");
     summary(theme, e);
     if (e.correction) step_chips(context, e, inspector);
-    draw_way_lens(context, e.steps[inspector.shown(e)], lane.grid.h);
+    draw_path_magnifier(context, e.steps[inspector.shown(e)], lane.grid.h);
     draw_sums(context, e, inspector);
     ImGui::EndChild();
 }

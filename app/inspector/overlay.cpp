@@ -28,7 +28,7 @@ class Drawing {
           place_(place),
           tile_(tile),
           list_(list),
-          colours_(way_colours(theme_)),
+          colours_(path_colours(theme_)),
           h_(context.client.session().lanes[tile.lane].grid.h),
           cell_(static_cast<float>(h_ * tile.rect.width / tile.width /
                                    static_cast<double>(place.window.high.x - place.window.low.x))) {}
@@ -45,7 +45,7 @@ class Drawing {
         } else {
             particles(step);
         }
-        way(step);
+        path(step);
     }
 
     /// The cell under the pointer.
@@ -113,8 +113,8 @@ class Drawing {
     void dashes(ImVec2 from, ImVec2 to, ImU32 colour) const {
         const float length = std::hypot(to.x - from.x, to.y - from.y);
         const float dash = theme_.px(4);
-        const auto along = [&](float way) {
-            const float t = length > 0 ? way / length : 0;
+        const auto along = [&](float path) {
+            const float t = length > 0 ? path / length : 0;
             return ImVec2(from.x + t * (to.x - from.x), from.y + t * (to.y - from.y));
         };
         for (float x = 0; x < length; x += 2 * dash)
@@ -142,7 +142,7 @@ class Drawing {
             write(step, middle, radius, weight);
         }
     }
-    /// Below the node, or on another side of it where that leaves the way's ends free.
+    /// Below the node, or on another side of it where that leaves the path's ends free.
     void write(const BaseStep& step, ImVec2 middle, float radius, double weight) const {
         if (cell_ < theme_.px(static_cast<float>(written_from))) return;
         char text[16];
@@ -195,8 +195,8 @@ class Drawing {
         }
     }
 
-    /// From the node to where its value is read, an arrow of straight pieces, over the ways to compare with.
-    void way(const BaseStep& step) const {
+    /// From the node to where its value is read, an arrow of straight pieces, over the paths to compare with.
+    void path(const BaseStep& step) const {
         dashed_way(step.euler, colours_.euler);
         dashed_way(step.midpoint, colours_.midpoint);
         for (std::size_t k = 1; k < step.fine.size(); ++k)
@@ -230,14 +230,14 @@ class Drawing {
     const FieldPlacement& place_;
     const FieldTile& tile_;
     ImDrawList& list_;
-    WayColours colours_;
+    PathColours colours_;
     double h_;
     float cell_;  ///< side, pixels
 };
 
 }  // namespace
 
-WayColours way_colours(const Theme& theme) {
+PathColours path_colours(const Theme& theme) {
     const auto& series = theme.palette.series;
     return {series[1], series[4], series[2], theme.palette.text};
 }
@@ -265,7 +265,7 @@ std::vector<PlotMark> inspected_marks(const PanelContext& context) {
     const auto& explanation = context.snapshot().explanation;
     if (!inspector.watched() || !explanation) return marks;
     const BaseStep& step = explanation->steps[inspector.shown(*explanation)];
-    const WayColours colours = way_colours(context.theme);
+    const PathColours colours = path_colours(context.theme);
     for (const KernelNode& node : step.nodes) {
         if (node.at.y < 0 || node.j != step.j) continue;
         const double weight = node.weight.value_or(0.25);

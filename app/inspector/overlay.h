@@ -11,14 +11,14 @@
 
 namespace whorl::app {
 
-/// Colours of the ways along the flow, over any colour map.
-struct WayColours {
+/// Colours of the paths along the flow, over any colour map.
+struct PathColours {
     ImU32 scheme, euler, midpoint, fine;
 };
-WayColours way_colours(const Theme& theme);
+PathColours path_colours(const Theme& theme);
 
-/// In every tile, of its own lane: the node, its way and the ways to compare it with, the nodes that are read
-/// with their weights, those that bound it, and the particles.
+/// In every tile, of its own lane: the node, its path and the paths to compare it with, the nodes that are
+/// read with their weights, those that bound it, and the particles.
 void draw_inspected(const PanelContext& context, const FieldPlacement& place, ImDrawList& list);
 
 /// The same of the selected lane, where fields are drawn as curves: the samples that are read, as large as

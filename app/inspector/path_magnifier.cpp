@@ -15,7 +15,7 @@
 namespace whorl::app {
 namespace {
 
-/// A way with its name.
+/// A path with its name.
 struct Named {
     const char* name;
     WorldPoint end;
@@ -35,14 +35,14 @@ double round_below(double most) {
     return power;
 }
 
-void draw_lens(const Theme& theme, const std::array<Named, 3>& ways, WorldPoint start, double h, ImVec2 low,
-               float side) {
+void draw_magnified(const Theme& theme, const std::array<Named, 3>& paths, WorldPoint start, double h,
+                    ImVec2 low, float side) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 high{low.x + side, low.y + side};
     list.AddRectFilled(low, high, theme.palette.card, theme.px(5));
-    const WorldPoint exact = ways.back().end;
+    const WorldPoint exact = paths.back().end;
     double reach = 0;
-    for (const Named& way : ways) reach = std::max(reach, distance(way.end, exact));
+    for (const Named& path : paths) reach = std::max(reach, distance(path.end, exact));
     // Where all end on one spot, a hundredth of a cell is seen.
     reach = std::max(reach, 0.01 * h);
     const ImVec2 middle{low.x + 0.5f * side, low.y + 0.5f * side};
@@ -52,24 +52,25 @@ void draw_lens(const Theme& theme, const std::array<Named, 3>& ways, WorldPoint 
                       middle.y - static_cast<float>((p.y - exact.y) * scale));
     };
     list.PushClipRect(low, high, true);
-    for (const Named& way : ways) {
-        // Seen so close, a way is a straight line from far off.
-        const double far = distance(start, way.end);
+    for (const Named& path : paths) {
+        // Seen so close, a path is a straight line from far off.
+        const double far = distance(start, path.end);
         const double part = far > 0 ? std::min(1.0, 4 * reach / far) : 0;
-        const WorldPoint from{way.end.x + part * (start.x - way.end.x),
-                              way.end.y + part * (start.y - way.end.y)};
-        list.AddLine(at(from), at(way.end), faded(way.colour, 0.6f), theme.px(1));
+        const WorldPoint from{path.end.x + part * (start.x - path.end.x),
+                              path.end.y + part * (start.y - path.end.y)};
+        list.AddLine(at(from), at(path.end), faded(path.colour, 0.6f), theme.px(1));
     }
-    for (const Named& way : ways) {
-        const ImVec2 end = at(way.end);
+    for (const Named& path : paths) {
+        const ImVec2 end = at(path.end);
         list.AddCircleFilled(end, theme.px(4.5f), theme.palette.card);
-        list.AddCircleFilled(end, theme.px(3.5f), way.colour);
+        list.AddCircleFilled(end, theme.px(3.5f), path.colour);
     }
     // The scale, in cells.
     const double bar = round_below(0.8 * reach / h);
     // At the foot, or where something ends there, at the top.
-    const bool at_top = std::any_of(
-        ways.begin(), ways.end(), [&](const Named& way) { return at(way.end).y > middle.y + 0.15f * side; });
+    const bool at_top = std::any_of(paths.begin(), paths.end(), [&](const Named& path) {
+        return at(path.end).y > middle.y + 0.15f * side;
+    });
     const float foot = at_top ? low.y + theme.small->FontSize + theme.px(10) : high.y - theme.px(7);
     const ImVec2 bar_low{low.x + theme.px(7), foot};
     const std::string length = written(bar, 2) + " cell";
@@ -86,13 +87,13 @@ void draw_lens(const Theme& theme, const std::array<Named, 3>& ways, WorldPoint 
 
 }  // namespace
 
-void draw_way_lens(PanelContext& context, const BaseStep& step, double h) {
+void draw_path_magnifier(PanelContext& context, const BaseStep& step, double h) {
     const Theme& theme = context.theme;
-    const WayColours colours = way_colours(theme);
+    const PathColours colours = path_colours(theme);
     const WorldPoint exact = step.fine.empty() ? step.path.end : step.fine.back();
-    const std::array<Named, 3> ways{{{"Euler", step.euler.end, colours.euler},
-                                     {"midpoint", step.midpoint.end, colours.midpoint},
-                                     {"many small steps", exact, colours.fine}}};
+    const std::array<Named, 3> paths{{{"Euler", step.euler.end, colours.euler},
+                                      {"midpoint", step.midpoint.end, colours.midpoint},
+                                      {"many small steps", exact, colours.fine}}};
     const float side = theme.px(92);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::Dummy({side, side});
@@ -103,7 +104,7 @@ void draw_way_lens(PanelContext& context, const BaseStep& step, double h) {
          "Seen close: the departure point by Euler, by midpoint, and by many small steps of a "
          "method of fourth order, which is as good as exact.",
          "The bar is a part of a cell", "thesis eq. 3.3–3.5", ""});
-    draw_lens(theme, ways, step.path.start, h, corner, side);
+    draw_magnified(theme, paths, step.path.start, h, corner, side);
     const float left = corner.x + side + theme.px(10);
     const float room = corner.x + ImGui::GetContentRegionAvail().x - left;
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -115,12 +116,12 @@ void draw_way_lens(PanelContext& context, const BaseStep& step, double h) {
         y += ImGui::CalcTextSize(lines.c_str()).y + theme.px(4);
         ImGui::PopFont();
     };
-    const double way = distance(step.path.start, step.path.end) / h;
-    line(theme.palette.text, *theme.small, "way: " + written(way, 3) + " cells");
+    const double path = distance(step.path.start, step.path.end) / h;
+    line(theme.palette.text, *theme.small, "way: " + written(path, 3) + " cells");
     line(theme.palette.text_dim, *theme.small, "its end off the exact, in cells:");
-    for (std::size_t k = 0; k + 1 < ways.size(); ++k)
-        line(ways[k].colour, *theme.mono,
-             std::string(ways[k].name) + "  " + written(distance(ways[k].end, exact) / h, 2));
+    for (std::size_t k = 0; k + 1 < paths.size(); ++k)
+        line(paths[k].colour, *theme.mono,
+             std::string(paths[k].name) + "  " + written(distance(paths[k].end, exact) / h, 2));
     ImGui::Dummy({0, std::max(theme.px(2), y - corner.y - side)});
 }
 

@@ -1,4 +1,4 @@
-// The ends of a node's ways, seen close: how far the tracers lie apart.
+// The ends of a node's paths, seen close: how far the tracers lie apart.
 #pragma once
 
 #include "app/panels/panel.h"
@@ -6,9 +6,9 @@
 
 namespace whorl::app {
 
-/// Draws a card at the cursor with the ends of the ways by Euler, by midpoint and in many small steps, and a
+/// Draws a card at the cursor with the ends of the paths by Euler, by midpoint and in many small steps, and a
 /// list of how far each ends from the last.
 /// @param h  side of a cell, length
-void draw_way_lens(PanelContext& context, const BaseStep& step, double h);
+void draw_path_magnifier(PanelContext& context, const BaseStep& step, double h);
 
 }  // namespace whorl::app

@@ -7,8 +7,8 @@
 
 namespace whorl::app {
 
-void sample_between(const Field& field, const SchemeSet& schemes, bool periodic,
-                    std::span<const glm::dvec2> places, std::span<float> out) {
+void sample_field(const Field& field, const SchemeSet& schemes, bool periodic,
+                  std::span<const glm::dvec2> places, std::span<float> out) {
     const Kernels kernels = choose_kernels(schemes, periodic);
     Displacements way;
     Places found;

@@ -40,7 +40,7 @@ Curves curves_of(const Field& row, bool clamped, int first, int last) {
         schemes.interpolation = Interpolations::Id::at(k);
         schemes.clamped = clamped;
         curves.y[k].resize(places.size());
-        sample_between(row, schemes, false, places, curves.y[k]);
+        sample_field(row, schemes, false, places, curves.y[k]);
     }
     return curves;
 }

@@ -27,7 +27,7 @@ Curve sampled(const Field& row, Interpolations::Id interpolation, bool clamped, 
         places[static_cast<std::size_t>(k)] = {i + k / static_cast<double>(samples - 1), 0};
     places.back().x = from_the_left(places.back().x);
     Curve curve;
-    sample_between(row, schemes, false, places, curve);
+    sample_field(row, schemes, false, places, curve);
     return curve;
 }
 

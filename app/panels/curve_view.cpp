@@ -29,7 +29,7 @@ Series series_of(const Curve& curve, std::string_view label, ImU32 colour, bool 
     return {label, colour, curve.y, dots, curve.x};
 }
 
-/// One scale for all times, so that a bump that sinks is seen to sink; it makes way for what overshoots.
+/// One scale for all times, so that a bump that sinks is seen to sink; it makes path for what overshoots.
 Interval steady_scale(std::span<const Curve> curves, double most) {
     float least = 0;
     for (const Curve& curve : curves) {

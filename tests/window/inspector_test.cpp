@@ -213,7 +213,7 @@ TEST(Inspector, WindowsAroundNodesAreHalfFilled) {
     const auto cells = [](const ViewWindow& window) {
         return static_cast<double>(window.high.y - window.low.y) * 20 / 0.5;
     };
-    // From the cell's left edge to the way's end, 7 cells, in a window of 28 × 14: half of the longer side
+    // From the cell's left edge to the path's end, 7 cells, in a window of 28 × 14: half of the longer side
     // would be less than what the closest view shows.
     EXPECT_NEAR(cells(window_around(e, {}, {40, 20}, 0.5)), 7, 1e-4);
     e.steps[0].path.end = {20.25, 13.5};

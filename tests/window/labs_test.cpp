@@ -73,10 +73,10 @@ TEST(InterpolationLab, SaysWhatFigure35Says) {
     std::array<float, 1> value;
     SchemeSet schemes;
     schemes.interpolation = Interpolations::of<FritschCarlson>();
-    sample_between(row, schemes, false, node, value);
+    sample_field(row, schemes, false, node, value);
     EXPECT_EQ(value[0], 15);
     schemes.interpolation = Interpolations::of<BSpline>();
-    sample_between(row, schemes, false, node, value);
+    sample_field(row, schemes, false, node, value);
     EXPECT_GT(std::abs(value[0] - 15.0f), 1.0f);
 }
 
@@ -154,7 +154,7 @@ RC_GTEST_PROP(InterpolationLab, CurvesAreTheSchemesOwn, ()) {
         SchemeSet schemes;
         schemes.interpolation = Interpolations::Id::at(k);
         std::array<float, 1> value;
-        sample_between(row, schemes, false, place, value);
+        sample_field(row, schemes, false, place, value);
         const Real expected =
             Interpolations::dispatch(schemes.interpolation, [&]<class I>(std::type_identity<I>) {
                 if constexpr (I::support == 2) {
