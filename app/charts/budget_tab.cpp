@@ -15,7 +15,7 @@ void quantity_chips(PanelContext& context) {
     const float width = std::floor((ImGui::GetContentRegionAvail().x - gap) / 2);
     bool& of_enstrophy = context.measures.of_enstrophy;
     if (chip(context.theme, "Energy", !of_enstrophy, width)) of_enstrophy = false;
-    context.trace.control("budget=energy");
+    context.log.control("budget=energy");
     context.tooltip.item(
         context.theme, "budget=energy",
         {"Energy budget",
@@ -24,7 +24,7 @@ void quantity_chips(PanelContext& context) {
          "", "", ""});
     ImGui::SameLine();
     if (chip(context.theme, "Enstrophy", of_enstrophy, width)) of_enstrophy = true;
-    context.trace.control("budget=enstrophy");
+    context.log.control("budget=enstrophy");
     context.tooltip.item(
         context.theme, "budget=enstrophy",
         {"Enstrophy budget",
@@ -59,7 +59,7 @@ std::optional<double> draw_budget(PanelContext& context, float height) {
     Theme bare = theme;
     bare.palette.card = 0;
     const auto x = draw_stack(bare, plot, parts, "net");
-    context.trace.control("plot=budget");
+    context.log.control("plot=budget");
     return x;
 }
 
@@ -82,7 +82,7 @@ std::optional<double> draw_viscosity(PanelContext& context, float height) {
     plot.empty_text =
         is_solved(context.snapshot()) ? "still air so far" : "the flow is given, not solved for";
     const auto x = draw_on_card(context, plot, series);
-    context.trace.control("plot=viscosity");
+    context.log.control("plot=viscosity");
     return x;
 }
 

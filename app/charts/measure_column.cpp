@@ -71,7 +71,7 @@ void lane_legend(PanelContext& context) {
         const bool selected = context.client.selected() == k;
         const bool hovered = ImGui::IsItemHovered();
         const std::string key = "legend-lane=" + std::to_string(k);
-        context.trace.control(key);
+        context.log.control(key);
         context.tooltip.item(
             theme, key,
             {context.names.name(k), "Click to select the lane: the budget and the figures above are its.", "",
@@ -102,7 +102,7 @@ void tab_chips(PanelContext& context) {
         if (chip(context.theme, tab.label, chosen, widths[static_cast<std::size_t>(&tab - tabs)]))
             context.measures.tab = tab.tab;
         const std::string key = "tab=" + std::string(tab.label);
-        context.trace.control(key);
+        context.log.control(key);
         context.tooltip.item(context.theme, key, {tab.label, tab.help, "", "", ""});
     }
 }
@@ -121,7 +121,7 @@ void draw_measure_column(PanelContext& context) {
         context.view.lessons = true;
         context.view.shows_measures = false;
     }
-    context.trace.control("lessons");
+    context.log.control("lessons");
     context.tooltip.item(
         theme, "lessons",
         {"Lessons", "Walks through what advection does to smoke, and why. Key: L", "", "", ""});

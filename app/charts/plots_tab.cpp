@@ -183,7 +183,7 @@ void norm_chips(PanelContext& context) {
         if (chip(context.theme, curve.label, context.measures.norm == curve.track, width))
             context.measures.norm = curve.track;
         const std::string key = "norm=" + std::string(curve.label);
-        context.trace.control(key);
+        context.log.control(key);
         context.tooltip.item(context.theme, key,
                              {"Error norm",
                               "Which error the lanes are compared by: L1 the mean, L2 the root of the mean "
@@ -208,7 +208,7 @@ void draw_frame_time(PanelContext& context, float height) {
     const auto& colours = context.theme.palette.series;
     const Series series[] = {{"frame", colours[0], frames.intervals()}, {"busy", colours[1], frames.work()}};
     draw_on_card(context, plot, series);
-    context.trace.control("plot=frame-time");
+    context.log.control("plot=frame-time");
 }
 
 }  // namespace
@@ -243,7 +243,7 @@ void draw_plots_tab(PanelContext& context) {
     std::optional<double> hovered;
     for (const Chart* chart : charts) {
         const auto x = draw(context, *chart, height);
-        context.trace.control("plot=" + std::string(chart->title));
+        context.log.control("plot=" + std::string(chart->title));
         if (x) hovered = x;
     }
     if (!context.frames.intervals().empty()) draw_frame_time(context, height);

@@ -58,7 +58,7 @@ void draw_spectrum_tab(PanelContext& context) {
     plot.size = {0, std::floor(std::min(ImGui::GetContentRegionAvail().y - theme.px(64), theme.px(460)))};
     plot.size.y = std::max(plot.size.y, theme.px(160));
     draw_on_card(context, plot, series);
-    context.trace.control("plot=spectrum");
+    context.log.control("plot=spectrum");
     ImGui::PushFont(theme.small);
     ImGui::PushTextWrapPos(0);
     text(

@@ -120,7 +120,7 @@ void head(PanelContext& context, const char* table, const char* label, const cha
     const float free = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(label).x;
     ImGui::TableHeader(("##" + std::string(label)).c_str());
     const std::string key = std::string(table) + "=" + label;
-    context.trace.control(key);
+    context.log.control(key);
     context.tooltip.item(context.theme, key, {label, help, "Click to sort.", "", ""});
     const float left = numbers ? std::max(0.0f, free - (sorted ? arrow_width() : 0)) : 0;
     ImGui::GetWindowDrawList()->AddText({std::floor(corner.x + left), corner.y}, context.theme.palette.text,

@@ -59,7 +59,7 @@ void head(PanelContext& context, const Explanation& e) {
     text(theme.palette.text, std::string(what.symbol) + " (" + std::to_string(e.i) + ", " +
                                  std::to_string(e.j) + ") = " + written(e.result, 6));
     ImGui::PopFont();
-    context.trace.control("inspector-value");
+    context.log.control("inspector-value");
     if (context.names.size() > 1) {
         const std::size_t lane = context.client.selected();
         paragraph(theme.small, theme.lane(static_cast<int>(lane)), context.names.name(lane));
@@ -119,7 +119,7 @@ void step_chips(PanelContext& context, const Explanation& e, Inspector& inspecto
 
 bool button(PanelContext& context, const char* label, const char* key, float width, const char* help) {
     const bool pressed = ImGui::Button(label, {width, 0});
-    context.trace.control(key);
+    context.log.control(key);
     context.tooltip.item(context.theme, key, {label, help, "", "", ""});
     return pressed;
 }
@@ -139,7 +139,7 @@ void buttons(PanelContext& context, const Explanation& e, Inspector& inspector) 
     const std::string words = write_text(e);
     ImGui::SetClipboardText(words.c_str());
     context.client.notifications().info("Copied the sum as text");
-    context.trace.event("copied", words);
+    context.log.event("copied", words);
 }
 
 }  // namespace

@@ -97,7 +97,7 @@ void draw_path_magnifier(PanelContext& context, const BaseStep& step, double h) 
     const float side = theme.px(92);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::Dummy({side, side});
-    context.trace.control("inspector-lens");
+    context.log.control("inspector-lens");
     context.tooltip.item(
         theme, "inspector-lens",
         {"Where the ways end",

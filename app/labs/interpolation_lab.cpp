@@ -66,7 +66,7 @@ void controls(PanelContext& context, InterpolationLab& lab) {
     }
     ImGui::SameLine(0, ImGui::GetStyle().ItemSpacing.x);
     if (check("Clamped", lab.clamped)) lab.clamped = !lab.clamped;
-    context.trace.control("interpolation-clamped");
+    context.log.control("interpolation-clamped");
     context.tooltip.item(context.theme, "interpolation-clamped",
                          {"Clamped", "Cuts what an interpolation gives to the interval's two points.", "",
                           "thesis eq. 3.8", ""});
@@ -174,7 +174,7 @@ void main_plot(PanelContext& context, InterpolationLab& lab, const Curves& curve
     }
     const double last = static_cast<double>(lab.values.size()) - 1;
     const Canvas canvas(theme, plot, {}, {-0.2, last + 0.2}, lab.y);
-    context.trace.control("interpolation-plot");
+    context.log.control("interpolation-plot");
     if (!canvas) return;
     const bool on_point = canvas.hovered() && point_under(theme, lab, canvas);
     if (!on_point)
@@ -190,8 +190,8 @@ void main_plot(PanelContext& context, InterpolationLab& lab, const Curves& curve
     for (std::size_t k = 0; k < lab.values.size(); ++k) {
         const ImVec2 at = canvas.pixel(static_cast<double>(k), static_cast<double>(lab.values[k]));
         const float half = theme.px(9);
-        context.trace.place("interpolation-point=" + std::to_string(k), at.x - half, at.y - half, 2 * half,
-                            2 * half);
+        context.log.rect("interpolation-point=" + std::to_string(k), at.x - half, at.y - half, 2 * half,
+                         2 * half);
     }
 }
 
@@ -210,7 +210,7 @@ void inset(PanelContext& context, const InterpolationLab& lab, const Field& row,
     Extent extent = extent_of(lab, curves);
     extent.add(ends);
     const Canvas canvas(theme, plot, {}, {lab.interval - 0.02, lab.interval + 1.02}, extent.tight());
-    context.trace.control("interpolation-inset");
+    context.log.control("interpolation-inset");
     if (!canvas) return;
     context.tooltip.item(theme, "interpolation-inset",
                          {"The chosen interval",
@@ -282,7 +282,7 @@ void region_plot(PanelContext& context, const InterpolationLab& lab, const Repor
                                   {"circle, radius 3", theme.palette.series[0]},
                                   {"square, side 3", theme.palette.text_dim}};
     const Canvas canvas(theme, plot, legend, x, y, Canvas::Units::Equal);
-    context.trace.control("interpolation-region");
+    context.log.control("interpolation-region");
     if (!canvas) return;
     draw_region(theme, canvas);
     std::optional<std::size_t> under;
@@ -349,7 +349,7 @@ void table_row(PanelContext& context, InterpolationLab& lab, std::size_t k, cons
     const float height = theme.body->FontSize + theme.px(6);
     const std::string key = "interpolation-scheme=" + std::string(info.key);
     if (ImGui::InvisibleButton(key.c_str(), {columns.end, height})) lab.shown[k] = !lab.shown[k];
-    context.trace.control(key);
+    context.log.control(key);
     const bool hovered = ImGui::IsItemHovered();
     context.tooltip.item(theme, key,
                          {info.label, info.help, "Click to show it or leave it out", info.source, ""});

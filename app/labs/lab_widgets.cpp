@@ -26,7 +26,7 @@ bool lab_chip(PanelContext& context, const std::string& key, const TooltipText& 
     if (!first) ImGui::SameLine(0, std::floor(0.5f * ImGui::GetStyle().ItemSpacing.x));
     const std::string label = fitted(help.title, width) + "##" + key;
     const bool clicked = chip(context.theme, label.c_str(), chosen, width);
-    context.trace.control(key);
+    context.log.control(key);
     context.tooltip.item(context.theme, key, help);
     return clicked;
 }
@@ -50,7 +50,7 @@ bool legend_toggle(PanelContext& context, const std::string& key, const SchemeIn
     const float height = theme.body->FontSize + theme.px(8);
     const bool clicked = ImGui::InvisibleButton(key.c_str(), {width, height});
     const bool hovered = ImGui::IsItemHovered();
-    context.trace.control(key);
+    context.log.control(key);
     context.tooltip.item(theme, key,
                          {info.label, info.help, "Click to show it or leave it out", info.source, ""});
     const float left = theme.px(20);

@@ -22,7 +22,7 @@ struct LabInfo {
     float width, height;  ///< at first, points; of no use where it takes a column's
     /// Where it lies at first: over the middle of the screen, at its lower edge, or over a whole column: that
     /// of the measures, or of the controls while a lesson is read.
-    enum class Place { Middle, Bottom, Side } place;
+    enum class Anchor { Middle, Bottom, Side } anchor;
 };
 /// All labs.
 std::span<const LabInfo> labs();

@@ -35,8 +35,8 @@ struct GridLine {
     WorldPoint world(double part) const { return {(at(part).x + 0.5) * h, (at(part).y + 0.5) * h}; }
 };
 
-/// Places a line in a grid. A horizontal line runs through the centres of the row that holds it, a vertical
-/// one through those of its column; in one dimension the line is the whole domain.
+/// ControlRects a line in a grid. A horizontal line runs through the centres of the row that holds it, a
+/// vertical one through those of its column; in one dimension the line is the whole domain.
 GridLine place_line(const SliceLine& line, const Grid& grid);
 
 /// What of a line is taken hold of.

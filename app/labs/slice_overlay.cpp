@@ -117,7 +117,7 @@ void draw_slice_line(const PanelContext& context, const FieldPlacement& place, I
         const std::string lane = std::to_string(tile.lane + 1);
         const float side = 2 * theme.px(end_radius);
         const auto trace = [&](const char* key, glm::dvec2 at) {
-            context.trace.place(key + lane, vec(at).x - side / 2, vec(at).y - side / 2, side, side);
+            context.log.rect(key + lane, vec(at).x - side / 2, vec(at).y - side / 2, side, side);
         };
         trace("line-from=", line.from);
         trace("line-to=", line.to);

@@ -125,7 +125,7 @@ void ends_readout(PanelContext& context, const SliceLab& lab) {
     ImGui::AlignTextToFramePadding();
     text(theme.palette.text_dim, ends_text(line.world(0), line.world(1)));
     ImGui::PopFont();
-    context.trace.control("slice-ends");
+    context.log.control("slice-ends");
     context.tooltip.item(theme, "slice-ends",
                          {"The line's ends", "From the full disc on the field to the hollow one.",
                           "x and y in length units from the lower left corner", "", ""});
@@ -159,7 +159,7 @@ void interpolation_controls(PanelContext& context, SliceLab& lab) {
             lab.shown[k] = !lab.shown[k];
     }
     if (check("Clamped", lab.clamped)) lab.clamped = !lab.clamped;
-    context.trace.control("slice-clamped");
+    context.log.control("slice-clamped");
     context.tooltip.item(context.theme, "slice-clamped",
                          {"Clamped", "Cuts what an interpolation gives to the nodes that enclose the place.",
                           "", "thesis eq. 3.8", ""});
@@ -235,7 +235,7 @@ void slice_plot(PanelContext& context, SliceLab& lab, const std::vector<Drawn>& 
     plot.size = {0, height};
     const double length = place_line(lab.line, grid).length();
     const Canvas canvas(theme, plot, legend, {0, length}, extent.fitted());
-    context.trace.control("slice-plot");
+    context.log.control("slice-plot");
     lab.pointed_in_plot.reset();
     if (!canvas) return;
     draw_curves(theme, canvas, lab, all);

@@ -70,7 +70,7 @@ void controls(PanelContext& context, StencilLab::Choice& choice) {
         ImGui::SetNextItemWidth(wide);
         slider(theme, id, value, {static_cast<double>(least), static_cast<double>(most)}, "");
         value = std::clamp(value, least, most);
-        context.trace.control(id + 2);
+        context.log.control(id + 2);
         context.tooltip.item(theme, id + 2, help);
     };
     whole("ζ", "##stencil-zeta", choice.zeta, 0, SchemeSet::max_zeta, std::floor(0.8f * width),
@@ -152,7 +152,7 @@ void particles_plot(PanelContext& context, const StencilLab& lab, ImVec2 size) {
                                   {"of neighbours", theme.palette.text_dim, true}};
     const double up = lab.choice.dimensions == 1 ? 0.3 : reach;
     const Canvas canvas(theme, plot, legend, {-reach, reach}, {-up, up}, Canvas::Units::Equal);
-    context.trace.control("stencil-particles");
+    context.log.control("stencil-particles");
     if (!canvas) return;
     draw_grid(theme, canvas, lab.choice.dimensions);
     draw_neighbours(theme, canvas, lab);
@@ -201,7 +201,7 @@ void weights_plot(PanelContext& context, const StencilLab& lab, ImVec2 size) {
     plot.x_name = "distance, cells";
     plot.size = size;
     const Canvas canvas(theme, plot, legend, {-1.06 * radius, 1.06 * radius}, extent.fitted());
-    context.trace.control("stencil-profile");
+    context.log.control("stencil-profile");
     if (!canvas) return;
     const std::size_t chosen = lab.choice.weights.index();
     for (std::size_t k = 0; k < kinds; ++k) {

@@ -53,7 +53,7 @@ void draw_control_column(PanelContext& context) {
         if (context.view.tour.wanted_panel() == std::string_view(panel.title)) show(panel);
         // What every run needs comes without a heading.
         const bool open = first || heading(context.theme, panel.title, panel.open);
-        context.trace.control("panel=" + std::string(panel.title));
+        context.log.control("panel=" + std::string(panel.title));
         first = false;
         if (open) {
             ImGui::PushID(panel.title);

@@ -197,7 +197,7 @@ void draw_failure(PanelContext& context, const PixelRect& rect) {
     ImGui::PopFont();
     ImGui::TextWrapped("At %s. The last good state is shown.", failure->c_str());
     if (ImGui::Button("Reset")) context.client.restart();
-    context.trace.control("failure-reset");
+    context.log.control("failure-reset");
     context.tooltip.item(
         theme, "failure-reset",
         {"", "Back to the start of the scene, with the schemes as they are set.", "Key: R", "", ""});
@@ -229,9 +229,9 @@ void draw_fields(PanelContext& context, const FieldPlacement& place, const Pixel
         const bool marked = several && !place.wipe && place.tiles.size() > 1;
         draw_lane_frame(context, tile, marked && tile.lane == context.client.selected());
         if (several) draw_lane_state(context, tile);
-        context.trace.place("field=" + std::to_string(tile.lane + 1), static_cast<float>(tile.rect.x),
-                            static_cast<float>(tile.rect.y), static_cast<float>(tile.rect.width),
-                            static_cast<float>(tile.rect.height));
+        context.log.rect("field=" + std::to_string(tile.lane + 1), static_cast<float>(tile.rect.x),
+                         static_cast<float>(tile.rect.y), static_cast<float>(tile.rect.width),
+                         static_cast<float>(tile.rect.height));
     }
     if (several) draw_titles(context, place);
     const Range range = context.view.range.ends();
@@ -285,7 +285,7 @@ FieldPlacement draw_field_area(PanelContext& context) {
                              std::max(1, static_cast<int>(room.x)),
                              std::max(1, static_cast<int>(room.y - header))};
         draw_field_header(context, place, {corner.x + edge, corner.y}, room.x - 2 * edge);
-        context.trace.place("field", corner.x, corner.y + header, room.x, room.y - header);
+        context.log.rect("field", corner.x, corner.y + header, room.x, room.y - header);
         ImGui::SetCursorScreenPos({static_cast<float>(rect.x), static_cast<float>(rect.y)});
         draw_curve_view(context, {static_cast<float>(rect.width), static_cast<float>(rect.height)});
         draw_failure(context, rect);
@@ -320,8 +320,8 @@ FieldPlacement draw_field_area(PanelContext& context) {
     draw_field_header(context, place, {std::floor(corner.x + 0.5f * (room.x - header_width)), corner.y},
                       header_width);
     const PixelRect& first = place.tiles.front().rect;
-    context.trace.place("field", static_cast<float>(first.x), static_cast<float>(first.y),
-                        static_cast<float>(first.width), static_cast<float>(first.height));
+    context.log.rect("field", static_cast<float>(first.x), static_cast<float>(first.y),
+                     static_cast<float>(first.width), static_cast<float>(first.height));
     draw_fields(context, place, all);
     if (!several) draw_failure(context, all);
     draw_notices(context, context.client.notifications(), all);

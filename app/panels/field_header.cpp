@@ -89,7 +89,7 @@ class Chips {
         right_ -= width;
         ImGui::SetCursorScreenPos({right_, y_});
         const bool pressed = chip(theme, label, chosen, width);
-        context_.trace.control(key);
+        context_.log.control(key);
         context_.tooltip.item(theme, key, help);
         right_ -= theme.px(4);
         return pressed;

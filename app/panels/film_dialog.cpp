@@ -27,7 +27,7 @@ void kind_row(PanelContext& context) {
         if (chip(context.theme, label, context.files.film.kind == kind, width))
             context.files.film.kind = kind;
         const std::string key = "film=" + std::string(label);
-        context.trace.control(key);
+        context.log.control(key);
         context.tooltip.item(context.theme, key, {label, help[static_cast<int>(kind)], "", "", ""});
     }
 }
@@ -38,7 +38,7 @@ void numbers(PanelContext& context) {
     row_label(theme, "Steps a picture");
     slider(theme, "##every", film.every, {1, 20}, "");
     film.every = std::clamp(film.every, 1, 1000);
-    context.trace.control("film-every");
+    context.log.control("film-every");
     context.tooltip.item(theme, "film-every",
                          {"Steps a picture", "Steps from one picture to the next.", "", "", ""});
     ImGui::BeginDisabled(film.kind == Kind::Pictures);
@@ -46,7 +46,7 @@ void numbers(PanelContext& context) {
     slider(theme, "##fps", film.frames_per_second, {5, 60}, "");
     film.frames_per_second = std::clamp(film.frames_per_second, 1, 60);
     ImGui::EndDisabled();
-    context.trace.control("film-fps");
+    context.log.control("film-fps");
     context.tooltip.item(theme, "film-fps",
                          {"Pictures a second", "How fast it plays.", "", "",
                           film.kind == Kind::Pictures ? "Numbered pictures have no speed." : ""});
@@ -90,7 +90,7 @@ void draw_film_dialog(PanelContext& context) {
         ImGui::CloseCurrentPopup();
     }
     ImGui::EndDisabled();
-    context.trace.control("film-do");
+    context.log.control("film-do");
     context.tooltip.item(
         theme, "film-do",
         {"",
@@ -99,7 +99,7 @@ void draw_film_dialog(PanelContext& context) {
          "Key: Enter", "", ""});
     ImGui::SameLine();
     if (ImGui::Button("Cancel", {width, 0})) ImGui::CloseCurrentPopup();
-    context.trace.control("film-close");
+    context.log.control("film-close");
     context.tooltip.item(theme, "film-close", {"", "Makes no animation.", "Key: Esc", "", ""});
     ImGui::EndPopup();
 }

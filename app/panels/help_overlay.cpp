@@ -78,7 +78,7 @@ void draw_help_overlay(PanelContext& context) {
     ImGui::Button("Show the tour");
     // A click closes the help wherever it is, before the button would be let go.
     const bool on_tour = ImGui::IsItemHovered();
-    context.trace.control("help-tour");
+    context.log.control("help-tour");
     context.tooltip.item(theme, "help-tour", {"", "The tour of the first start again.", "", "", ""});
     ImGui::PopStyleVar();
     ImGui::End();

@@ -17,7 +17,7 @@ void draw_labs_panel(PanelContext& context) {
         bool& open = lab.open(context.view.labs);
         if (chip(context.theme, lab.label, open, width)) open = !open;
         const std::string key = "lab=" + std::string(lab.key);
-        context.trace.control(key);
+        context.log.control(key);
         context.tooltip.item(context.theme, key, {lab.label, lab.help, "", lab.source, ""});
     }
 }

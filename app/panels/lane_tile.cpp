@@ -49,7 +49,7 @@ void draw_lane_title(PanelContext& context, std::size_t lane, ImVec2 corner, flo
     if (ImGui::InvisibleButton(key.c_str(), {std::max(1.0f, width), lane_title_height(theme)}))
         context.client.select(lane);
     const bool hovered = ImGui::IsItemHovered();
-    context.trace.control(key);
+    context.log.control(key);
     title_help(context, lane, key);
 
     ImDrawList& list = *ImGui::GetWindowDrawList();

@@ -52,21 +52,21 @@ void comparison_list(PanelContext& context) {
     if (ImGui::BeginCombo("##compare", fitted(shown, room).c_str(), ImGuiComboFlags_HeightLargest)) {
         if (list_item("One lane", setup.lanes == LaneList(1)))
             compare(context, {.title = {}, .lanes = LaneList(1)});
-        context.trace.control("comparison=one");
+        context.log.control("comparison=one");
         context.tooltip.item(context.theme, "comparison=one",
                              {"One lane", "The scene alone, from its start.", "", "", ""});
         for (std::size_t k = 0; k < known.size(); ++k) {
             if (list_item(known[k].title.c_str(), current == known.begin() + static_cast<long>(k)))
                 compare(context, known[k]);
             const std::string key = "comparison=" + std::string(comparisons()[k].key);
-            context.trace.control(key);
+            context.log.control(key);
             std::string lanes;
             for (const LaneSetup& lane : known[k].lanes) lanes += (lanes.empty() ? "" : ", ") + lane.name;
             context.tooltip.item(context.theme, key, {known[k].title, lanes, "", "", ""});
         }
         ImGui::EndCombo();
     }
-    context.trace.control("comparison");
+    context.log.control("comparison");
     context.tooltip.item(context.theme, "comparison",
                          {"Compare",
                           "Simulations side by side, on the same scene and the same hand. Choosing a "
@@ -91,7 +91,7 @@ void name_field(PanelContext& context, std::size_t lane) {
     const bool done =
         ImGui::InputText("##name", now.text, sizeof now.text,
                          ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
-    context.trace.control("lane-name");
+    context.log.control("lane-name");
     context.tooltip.item(
         context.theme, "lane-name",
         {"Name", "Enter takes it. Without a name, a lane is called by what differs.", "", "", ""});
@@ -115,7 +115,7 @@ void lane_row(PanelContext& context, std::size_t lane, const std::string& name, 
     if (ImGui::InvisibleButton(key.c_str(), {width, height})) context.client.select_id(client.ids()[lane]);
     const bool hovered = ImGui::IsItemHovered();
     if (hovered && ImGui::IsMouseDoubleClicked(0)) context.view.renaming = renaming(client.ids()[lane], name);
-    context.trace.control(key);
+    context.log.control(key);
     const bool reference = static_cast<int>(lane) == client.setup().reference;
     context.tooltip.item(theme, key,
                          {name, said_of(differs), "Click to select, double-click to rename", "",
@@ -176,7 +176,7 @@ bool button(PanelContext& context, const char* label, const char* key, float wid
     const bool pressed = ImGui::Button(label, {width, 0});
     ImGui::PopStyleVar();
     ImGui::EndDisabled();
-    context.trace.control(key);
+    context.log.control(key);
     context.tooltip.item(context.theme, key, help);
     return pressed;
 }
@@ -274,7 +274,7 @@ void reference_list(PanelContext& context, const LaneNames& names) {
     };
     if (ImGui::BeginCombo("##reference", fitted(shown, room).c_str())) {
         if (list_item("None", chosen == no_reference)) choose(no_reference);
-        context.trace.control("reference=none");
+        context.log.control("reference=none");
         context.tooltip.item(context.theme, "reference=none",
                              {"None",
                               "Differences are from the first lane. Errors are against the exact solution, "
@@ -284,13 +284,13 @@ void reference_list(PanelContext& context, const LaneNames& names) {
             const std::string id = names.name(k) + "##" + std::to_string(k);
             if (list_item(id.c_str(), chosen == static_cast<int>(k))) choose(static_cast<int>(k));
             const std::string key = "reference=" + std::to_string(k + 1);
-            context.trace.control(key);
+            context.log.control(key);
             context.tooltip.item(context.theme, key,
                                  {names.name(k), "The others are measured against this lane.", "", "", ""});
         }
         ImGui::EndCombo();
     }
-    context.trace.control("reference");
+    context.log.control("reference");
     context.tooltip.item(context.theme, "reference",
                          {"Reference",
                           "The lane that differences and errors of the others are taken from, averaged "
@@ -330,7 +330,7 @@ void scope(PanelContext& context, const LaneNames& names) {
     const float width = std::floor(0.5f * (ImGui::GetContentRegionAvail().x - gap));
     const bool only = context.client.lane_only();
     if (chip(context.theme, "All lanes", !only, width)) context.client.set_lane_only(false);
-    context.trace.control("scope=all");
+    context.log.control("scope=all");
     context.tooltip.item(context.theme, "scope=all",
                          {"All lanes",
                           "The controls below set the scene that all lanes share. A lane's own values, "
@@ -338,7 +338,7 @@ void scope(PanelContext& context, const LaneNames& names) {
                           "", "", ""});
     ImGui::SameLine(0, gap);
     if (chip(context.theme, "This lane", only, width)) context.client.set_lane_only(true);
-    context.trace.control("scope=lane");
+    context.log.control("scope=lane");
     const std::string what = "The controls below set values of " +
                              names.name(context.client.selected_in_setup()) +
                              " alone. Right-click a control that is marked to go back to the value of all.";

@@ -45,7 +45,7 @@ void list(PanelContext& context) {
             if (ImGui::IsMouseDoubleClicked(0)) choose(context);
         }
         const std::string key = "open=" + entry.name;
-        context.trace.control(key);
+        context.log.control(key);
         context.tooltip.item(theme, key,
                              {entry.name, entry.title, "Click to choose, double-click to open", "", ""});
         ImGui::SameLine(theme.px(8));
@@ -114,7 +114,7 @@ void draw_open_dialog(PanelContext& context) {
     ImGui::SetNextItemWidth(-FLT_MIN);
     if (ImGui::IsWindowAppearing() || failed) ImGui::SetKeyboardFocusHere();
     if (ImGui::InputTextWithHint("##path", "name or path of a file", &files.path)) files.open_error.clear();
-    context.trace.control("open-path");
+    context.log.control("open-path");
     context.tooltip.item(
         theme, "open-path",
         {"Path", "A preset's name, or the path of a file. Files can also be dropped on the window.", "", "",
@@ -130,13 +130,13 @@ void draw_open_dialog(PanelContext& context) {
     ImGui::BeginDisabled(!can);
     if (ImGui::Button("Open", {width, 0}) || (files.enter && can)) choose(context);
     ImGui::EndDisabled();
-    context.trace.control("open-do");
+    context.log.control("open-do");
     context.tooltip.item(
         theme, "open-do",
         {"", "Begins the preset, the scene or the run in the place of this one.", "Key: Enter", "", ""});
     ImGui::SameLine();
     if (ImGui::Button("Cancel", {width, 0})) ImGui::CloseCurrentPopup();
-    context.trace.control("open-cancel");
+    context.log.control("open-cancel");
     context.tooltip.item(theme, "open-cancel", {"", "Leaves the run as it is.", "Key: Esc", "", ""});
     ImGui::EndPopup();
 }

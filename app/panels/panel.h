@@ -30,7 +30,7 @@ struct PanelContext {
     const LaneFields& fields;  ///< what the chosen view shows of every lane
     const LaneNames& names;    ///< of the newest snapshot's lanes
     Tooltip& tooltip;
-    Trace& trace;
+    EventLog& log;
     BackgroundRects& backgrounds;
 
     const Snapshot& snapshot() const { return client.snapshot(); }

@@ -87,7 +87,7 @@ void choice(PanelContext& context, const Parameter& p, const char* id) {
             context.client.set(p, static_cast<double>(k));
         }
         const std::string key = p.key + "=" + std::string(info.key);
-        context.trace.control(key);
+        context.log.control(key);
         context.tooltip.item(context.theme, key, {info.label, info.help, "", info.source, ""});
     }
     ImGui::EndCombo();
@@ -137,7 +137,7 @@ void control(PanelContext& context, const Parameter& p) {
         number(context, p, id.c_str());
     }
     ImGui::EndDisabled();
-    context.trace.control(p.key);
+    context.log.control(p.key);
     const std::vector<std::size_t> own = overriding(context.client, p);
     if (!own.empty()) {
         mark(context.theme, own);

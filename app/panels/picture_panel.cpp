@@ -21,7 +21,7 @@ void size_row(PanelContext& context) {
         if (chip(context.theme, label.c_str(), context.files.picture.scale == scale, width))
             context.files.picture.scale = scale;
         const std::string key = "picture-size=" + std::to_string(scale);
-        context.trace.control(key);
+        context.log.control(key);
         context.tooltip.item(context.theme, key,
                              {"Size of pictures",
                               "Pixels to a point: everything grows with it, lines and letters "
@@ -36,19 +36,19 @@ void paper_row(PanelContext& context) {
     const float width = std::floor((ImGui::GetContentRegionAvail().x - gap) / 2);
     bool& light = context.files.picture.light;
     if (chip(context.theme, "Dark", !light, width)) light = false;
-    context.trace.control("picture=dark");
+    context.log.control("picture=dark");
     context.tooltip.item(context.theme, "picture=dark",
                          {"Dark", "Light on dark, as in the window.", "", "", ""});
     ImGui::SameLine();
     if (chip(context.theme, "Light", light, width)) light = true;
-    context.trace.control("picture=light");
+    context.log.control("picture=light");
     context.tooltip.item(context.theme, "picture=light", {"Light", "Dark on white, for print.", "", "", ""});
 }
 
 void film_row(PanelContext& context) {
     if (!context.files.filming) {
         if (ImGui::Button("Record animation…", {-FLT_MIN, 0})) context.files.ask_film = true;
-        context.trace.control("film");
+        context.log.control("film");
         context.tooltip.item(
             context.theme, "film",
             {"Record animation",
@@ -61,7 +61,7 @@ void film_row(PanelContext& context) {
     std::snprintf(line, sizeof line, "%s · %.0f s", context.files.filming->name.c_str(),
                   context.files.filming->seconds);
     if (ImGui::Button("Cancel")) context.files.cancel_film = true;
-    context.trace.control("film-cancel");
+    context.log.control("film-cancel");
     context.tooltip.item(context.theme, "film-cancel",
                          {"Cancel the animation", "Stops recording it; nothing of it is left.", "", "", ""});
     ImGui::SameLine();
@@ -76,11 +76,11 @@ void draw_picture_panel(PanelContext& context) {
     paper_row(context);
     bool& plots = context.files.picture.plots;
     if (check("With the plots", plots)) plots = !plots;
-    context.trace.control("picture-plots");
+    context.log.control("picture-plots");
     context.tooltip.item(context.theme, "picture-plots",
                          {"With the plots", "Puts the measures over steps beneath the fields.", "", "", ""});
     if (ImGui::Button("Take picture", {-FLT_MIN, 0})) context.files.take_picture = true;
-    context.trace.control("picture");
+    context.log.control("picture");
     context.tooltip.item(
         context.theme, "picture",
         {"Take picture",
@@ -90,7 +90,7 @@ void draw_picture_panel(PanelContext& context) {
          "Key: F12", "", ""});
     film_row(context);
     if (ImGui::Button("Save plots as CSV", {-FLT_MIN, 0})) context.files.save_plots = true;
-    context.trace.control("csv");
+    context.log.control("csv");
     context.tooltip.item(
         context.theme, "csv",
         {"Save plots as CSV",

@@ -25,16 +25,16 @@ void transport(PanelContext& context) {
     ImGui::PushStyleColor(ImGuiCol_Text, palette.accent_text);
     if (ImGui::Button(playing ? "Pause###play" : "Play###play", {width, 0})) context.client.play(!playing);
     ImGui::PopStyleColor(4);
-    context.trace.control("play");
+    context.log.control("play");
     context.tooltip.item(context.theme, "play",
                          {"", "Lets the run go on, or stands it still.", "Key: Space", "", ""});
     ImGui::SameLine();
     if (ImGui::Button("Step", {width, 0})) context.client.step();
-    context.trace.control("step");
+    context.log.control("step");
     context.tooltip.item(context.theme, "step", {"", "One step, then pause. Key: full stop", "", "", ""});
     ImGui::SameLine();
     if (ImGui::Button("Reset", {-FLT_MIN, 0})) context.client.restart();
-    context.trace.control("reset");
+    context.log.control("reset");
     context.tooltip.item(
         context.theme, "reset",
         {"", "Back to the start of the scene, with the schemes as they are set. Key: R", "", "", ""});
@@ -44,7 +44,7 @@ void files(PanelContext& context) {
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     const float width = std::floor((ImGui::GetContentRegionAvail().x - gap) / 2);
     if (ImGui::Button("Open…", {width, 0})) context.files.ask_open = true;
-    context.trace.control("open");
+    context.log.control("open");
     context.tooltip.item(context.theme, "open",
                          {"Open",
                           "A preset, a scene or run, or a picture of Whorl: it brings its run back. Files "
@@ -52,7 +52,7 @@ void files(PanelContext& context) {
                           "Key: Ctrl+O", "", ""});
     ImGui::SameLine();
     if (ImGui::Button("Save run", {-FLT_MIN, 0})) context.files.save_run = true;
-    context.trace.control("save-run");
+    context.log.control("save-run");
     context.tooltip.item(
         context.theme, "save-run",
         {"Save run",
@@ -67,7 +67,7 @@ void scene_item(PanelContext& context, std::string_view key, const Scene& scene,
     const bool chosen = context.client.loaded() == key;
     if (list_item(id.c_str(), chosen)) context.client.load_scene(key, scene);
     const std::string name = "scene=" + std::string(key);
-    context.trace.control(name);
+    context.log.control(name);
     context.tooltip.item(context.theme, name, {scene.title, help, hint, source, ""});
 }
 
@@ -104,7 +104,7 @@ void scenes(PanelContext& context) {
         }
         ImGui::EndCombo();
     }
-    context.trace.control("scene");
+    context.log.control("scene");
     const Experiment& start = experiment(context.scene().experiment);
     context.tooltip.item(context.theme, "scene",
                          {context.scene().title, start.info.help, "", start.info.source, ""});
@@ -116,7 +116,7 @@ void pace(PanelContext& context) {
     ImGui::BeginDisabled(pace.unlimited);
     bool changed = slider(context.theme, "##steps per frame", pace.steps_per_frame, {1, 16}, "");
     ImGui::EndDisabled();
-    context.trace.control("steps-per-frame");
+    context.log.control("steps-per-frame");
     context.tooltip.item(context.theme, "steps-per-frame",
                          {"Steps per frame",
                           "How many time steps the run may take for each frame of the window. If they take "
@@ -126,7 +126,7 @@ void pace(PanelContext& context) {
         pace.unlimited = !pace.unlimited;
         changed = true;
     }
-    context.trace.control("unlimited");
+    context.log.control("unlimited");
     context.tooltip.item(context.theme, "unlimited",
                          {"As fast as it can", "Steps without waiting for the window's frames.", "", "", ""});
     if (changed) context.client.set_pace(pace);

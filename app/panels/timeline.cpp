@@ -64,7 +64,7 @@ void draw_timeline(PanelContext& context) {
     const float height = theme.px(18);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::InvisibleButton("timeline", {width, height});
-    context.trace.control("timeline");
+    context.log.control("timeline");
     const bool held = ImGui::IsItemActive();
     const bool hovered = ImGui::IsItemHovered();
     const float radius = theme.px(6);

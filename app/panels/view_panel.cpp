@@ -31,7 +31,7 @@ void view_chips(PanelContext& context) {
         }
         ImGui::EndDisabled();
         const std::string key = "view=" + std::string(view.key);
-        context.trace.control(key);
+        context.log.control(key);
         context.tooltip.item(context.theme, key,
                              {view.label, view.help, view.unit, "",
                               known ? "" : "The exact solution is not known at this time."});
@@ -49,7 +49,7 @@ void map_list(PanelContext& context) {
                 context.view.choose(map);
             }
             const std::string key = "map=" + std::string(map.key);
-            context.trace.control(key);
+            context.log.control(key);
             context.tooltip.item(
                 context.theme, key,
                 {map.label,
@@ -59,7 +59,7 @@ void map_list(PanelContext& context) {
         }
         ImGui::EndCombo();
     }
-    context.trace.control("map");
+    context.log.control("map");
     context.tooltip.item(
         context.theme, "map",
         {"Colours", "Diverging maps for what has a neutral value, sequential ones otherwise.", "", "", ""});
@@ -68,7 +68,7 @@ void map_list(PanelContext& context) {
 void range(PanelContext& context) {
     ColourRange& range = context.view.range;
     if (check("Hold the range", range.held())) range.hold(!range.held());
-    context.trace.control("hold-range");
+    context.log.control("hold-range");
     context.tooltip.item(
         context.theme, "hold-range",
         {"Hold the range", "Otherwise the colour bar follows the least and greatest value.", "", "", ""});
@@ -92,20 +92,20 @@ void draw_view_panel(PanelContext& context) {
     const float left = ImGui::GetCursorPosX();
     const float half = 0.5f * ImGui::GetContentRegionAvail().x;
     if (check("Crisp pixels", context.view.crisp)) context.view.crisp = !context.view.crisp;
-    context.trace.control("crisp");
+    context.log.control("crisp");
     context.tooltip.item(
         context.theme, "crisp",
         {"Crisp pixels", "Squares of one value each; otherwise smooth between the cells.", "", "", ""});
     ImGui::SameLine(left + half);
     if (check("Arrows", context.view.arrows)) context.view.arrows = !context.view.arrows;
-    context.trace.control("arrows");
+    context.log.control("arrows");
     context.tooltip.item(context.theme, "arrows", {"Arrows", "The velocity, over the field.", "", "", ""});
     const bool looked_at = context.view.shown->of_limiters;
     ImGui::BeginDisabled(looked_at);
     if (check("Count limited nodes", context.view.count_limited || looked_at))
         context.view.count_limited = !context.view.count_limited;
     ImGui::EndDisabled();
-    context.trace.control("count-limited");
+    context.log.control("count-limited");
     context.tooltip.item(
         context.theme, "count-limited",
         {"Count limited nodes",

@@ -15,7 +15,7 @@ namespace whorl::app {
 
 /// A piece of work, and what is said of it.
 struct BackgroundTask {
-    std::string event;                  ///< name in the trace; with "-failed" behind it if it fails
+    std::string event;                  ///< name in the event log; with "-failed" behind it if it fails
     std::string done, failed;           ///< notifications, before the result and the reason
     std::function<std::string()> work;  ///< @return what came of it, @throws std::exception with a reason
 };
@@ -26,15 +26,15 @@ class BackgroundTasks {
     bool busy() const { return doing_.valid() || !waiting_.empty(); }
 
     /// Says what became of the last piece and begins the next; call once a frame.
-    void end_frame(Notifications& notifications, Trace& trace) {
+    void end_frame(Notifications& notifications, EventLog& log) {
         if (doing_.valid() && doing_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
             try {
                 const std::string result = doing_.get();
                 if (!task_.done.empty()) notifications.info(task_.done + result);
-                trace.event(task_.event, result);
+                log.event(task_.event, result);
             } catch (const std::exception& e) {
                 notifications.warn(task_.failed + e.what());
-                trace.event(task_.event + "-failed", e.what());
+                log.event(task_.event + "-failed", e.what());
             }
         }
         if (doing_.valid() || waiting_.empty()) return;

@@ -16,7 +16,7 @@ float gap() {
 
 bool button(PanelContext& context, const char* label, const char* key, float width, const TooltipText& help) {
     const bool pressed = ImGui::Button(label, {width, 0});
-    context.trace.control(key);
+    context.log.control(key);
     context.tooltip.item(context.theme, key, help);
     return pressed;
 }
@@ -88,7 +88,7 @@ void draw_entry(PanelContext& context, LessonPlayer& lesson_player, const Lesson
     const std::string key = "lesson=" + lesson.key;
     if (ImGui::InvisibleButton(key.c_str(), {width, height}))
         lesson_player.begin(lesson, context.client, context.view);
-    context.trace.control(key);
+    context.log.control(key);
     const std::string steps = std::to_string(lesson.steps.size()) + " steps";
     context.tooltip.item(theme, key, {lesson.title, lesson.summary, steps, "", ""});
     list.ChannelsSetCurrent(0);

@@ -13,7 +13,7 @@ namespace whorl::app {
 struct TourStop {
     const char* title;
     const char* text;
-    std::span<const char* const> targets;  ///< controls that it speaks of, by their names in the trace
+    std::span<const char* const> targets;  ///< controls that it speaks of, by their names in the event log
     std::string_view panel;                ///< the left column's that it speaks of; empty for none
 };
 

@@ -36,7 +36,7 @@ float height_of(const ImFont& font, const std::string& text) {
 
 bool button(PanelContext& context, const char* label, const char* key, float width, const char* help) {
     const bool pressed = ImGui::Button(label, {width, 0});
-    context.trace.control(key);
+    context.log.control(key);
     context.tooltip.item(context.theme, key, {"", help, "", "", ""});
     return pressed;
 }
@@ -88,7 +88,7 @@ ImVec2 card_corner(const ScreenBox& target, ImVec2 card, ImVec2 screen, float ga
     return within(centre, target.high.y - gap - card.y);
 }
 
-std::optional<ScreenBox> target_of(const TourStop& stop, const Places& places) {
+std::optional<ScreenBox> target_of(const TourStop& stop, const ControlRects& places) {
     std::optional<ScreenBox> all;
     for (const char* key : stop.targets) {
         const auto place = places.in_sight(key);
@@ -116,7 +116,7 @@ void draw_tour(PanelContext& context) {
     const float height = 2 * padding + theme.small->FontSize + theme.title->FontSize +
                          height_of(*theme.body, text_lines) + ImGui::GetFrameHeight() + 3 * between;
 
-    const auto found = target_of(stop, context.trace.places());
+    const auto found = target_of(stop, context.log.rects());
     const ScreenBox middle{{0.5f * screen.x, 0.5f * screen.y}, {0.5f * screen.x, 0.5f * screen.y}};
     const ScreenBox target = widened(found.value_or(middle), theme.px(ring_distance), screen);
     const ImVec2 corner = card_corner(target, {width, height}, screen, theme.px(12));
@@ -148,7 +148,7 @@ void draw_tour(PanelContext& context) {
     ImGui::PopFont();
     text(theme.palette.text, text_lines);
     draw_buttons(context, tour);
-    context.trace.place("tour-card=" + std::to_string(tour.place() + 1), corner.x, corner.y, width, height);
+    context.log.rect("tour-card=" + std::to_string(tour.place() + 1), corner.x, corner.y, width, height);
     const bool hovered = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
     ImGui::End();
     ImGui::PopStyleVar(2);

@@ -20,7 +20,7 @@ struct ScreenBox {
 ImVec2 card_corner(const ScreenBox& target, ImVec2 card, ImVec2 screen, float gap);
 
 /// What of the card's targets is in sight, as one rectangle; nothing if none of them is.
-std::optional<ScreenBox> target_of(const TourStop& stop, const Places& places);
+std::optional<ScreenBox> target_of(const TourStop& stop, const ControlRects& places);
 
 /// Draws the card over everything that is not a list or a dialog, and a ring around what it speaks of.
 void draw_tour(PanelContext& context);

@@ -52,29 +52,29 @@ std::string densities(const SessionSnapshot& session) {
 
 }  // namespace
 
-Trace::Trace(const std::string& path) {
+EventLog::EventLog(const std::string& path) {
     if (path.empty()) return;
     file_ = std::fopen(path.c_str(), "w");
     if (file_ == nullptr) throw std::runtime_error(path + ": " + std::strerror(errno));
 }
 
-Trace::~Trace() {
+EventLog::~EventLog() {
     if (file_ != nullptr) std::fclose(file_);
 }
 
-void Trace::control(std::string_view key) {
+void EventLog::control(std::string_view key) {
     const ImVec2 low = ImGui::GetItemRectMin();
     const ImVec2 size = ImGui::GetItemRectSize();
-    place(key, low.x, low.y, size.x, size.y);
+    rect(key, low.x, low.y, size.x, size.y);
 }
 
-void Trace::place(std::string_view key, float x, float y, float width, float height) {
-    const Place place{x, y, width, height};
+void EventLog::rect(std::string_view key, float x, float y, float width, float height) {
+    const ControlRect rect{x, y, width, height};
     const ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 low = list.GetClipRectMin();
     const ImVec2 high = list.GetClipRectMax();
-    const Place seen = clipped(place, low.x, low.y, high.x, high.y);
-    if (!places_.note(key, place, seen, ImGui::GetFrameCount()) || file_ == nullptr) return;
+    const ControlRect seen = clipped(rect, low.x, low.y, high.x, high.y);
+    if (!rects_.note(key, rect, seen, ImGui::GetFrameCount()) || file_ == nullptr) return;
     std::fprintf(file_, "{\"event\":\"control\",\"key\":%s,\"x\":%.0f,\"y\":%.0f,\"w\":%.0f,\"h\":%.0f}\n",
                  quoted(key).c_str(), static_cast<double>(x + 0.5f * width),
                  static_cast<double>(y + 0.5f * height), static_cast<double>(width),
@@ -82,14 +82,14 @@ void Trace::place(std::string_view key, float x, float y, float width, float hei
     std::fflush(file_);
 }
 
-void Trace::event(std::string_view name, std::string_view text) {
+void EventLog::event(std::string_view name, std::string_view text) {
     if (file_ == nullptr) return;
     std::fprintf(file_, "{\"event\":%s,\"text\":%s}\n", quoted(name).c_str(), quoted(text).c_str());
     std::fflush(file_);
 }
 
-void Trace::frame(const FrameLog& frames, double steps_per_second, bool playing,
-                  const SessionSnapshot& session, double now) {
+void EventLog::frame(const FrameLog& frames, double steps_per_second, bool playing,
+                     const SessionSnapshot& session, double now) {
     if (file_ == nullptr || now < next_frame_ || frames.frames() == 0) return;
     next_frame_ = now + period;
     const Snapshot& s = session.lanes.front();

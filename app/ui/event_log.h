@@ -13,26 +13,26 @@ namespace whorl::app {
 
 /// Writes a JSON object a line: `{"event":"frame",…}` ten times a second, `{"event":"control","key":…,"x":…,
 /// "y":…}` where a control lies (its middle, pixels) whenever that changes, and other events as they come.
-/// Without a path nothing is written, but places are known all the same.
-class Trace {
+/// Without a path nothing is written, but rectangles are known all the same.
+class EventLog {
   public:
     /// @throws std::runtime_error if the file cannot be opened
-    explicit Trace(const std::string& path);
-    ~Trace();
-    Trace(const Trace&) = delete;
-    Trace& operator=(const Trace&) = delete;
+    explicit EventLog(const std::string& path);
+    ~EventLog();
+    EventLog(const EventLog&) = delete;
+    EventLog& operator=(const EventLog&) = delete;
 
     /// Call right after an ImGui item that a test may want to click.
     void control(std::string_view key);
-    void place(std::string_view key, float x, float y, float width, float height);
-    const Places& places() const { return places_; }
+    void rect(std::string_view key, float x, float y, float width, float height);
+    const ControlRects& rects() const { return rects_; }
     void event(std::string_view name, std::string_view text);
     void frame(const FrameLog& frames, double steps_per_second, bool playing, const SessionSnapshot& session,
                double now);
 
   private:
     std::FILE* file_ = nullptr;
-    Places places_;
+    ControlRects rects_;
     double next_frame_ = 0;
 };
 

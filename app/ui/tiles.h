@@ -1,4 +1,4 @@
-// Places for several fields of one shape, as large as they get.
+// ControlRects for several fields of one shape, as large as they get.
 #pragma once
 
 namespace whorl::app {

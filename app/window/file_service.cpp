@@ -38,7 +38,7 @@ constexpr const char* no_picture = "No picture: ";
 
 void warn_no_picture(PanelContext& context, const std::exception& e) {
     context.client.notifications().warn(std::string(no_picture) + e.what());
-    context.trace.event("picture-failed", e.what());
+    context.log.event("picture-failed", e.what());
 }
 
 constexpr const char* not_complete =
@@ -56,7 +56,7 @@ void FileService::end_frame(PanelContext& context, double now) {
     open(context);
     follow_film(context, now);
     check_replay(context);
-    background_tasks_.end_frame(context.client.notifications(), context.trace);
+    background_tasks_.end_frame(context.client.notifications(), context.log);
 }
 
 void FileService::take_requests(PanelContext& context) {
@@ -84,7 +84,7 @@ void FileService::serve(PanelContext& context, Saved saved, double now) {
         if (pending.film) {
             film_.start(saved.recording, *pending.film, now);
             notifications.info("Recording the animation; the window goes on");
-            context.trace.event("film-started", "");
+            context.log.event("film-started", "");
         }
     }
     if (pending.picture) take_picture(context, std::move(saved));
@@ -165,7 +165,7 @@ void FileService::open(PanelContext& context) {
             context.files.open_outcome = e.what();
             // The dialog that asked for it says why.
             if (!context.files.dialog) notifications.warn(std::string("Not opened: ") + e.what());
-            context.trace.event("opened-failed", e.what());
+            context.log.event("opened-failed", e.what());
         }
     }
     if (!context.files.open || opening_.valid()) return;
@@ -191,7 +191,7 @@ void FileService::take_opened(PanelContext& context, Opened opened) {
         context.files.lesson = std::get<1>(opened.content);
     }
     context.files.open_outcome = "";
-    context.trace.event("opened", opened.name);
+    context.log.event("opened", opened.name);
 }
 
 void FileService::follow_film(PanelContext& context, double now) {
@@ -203,20 +203,20 @@ void FileService::follow_film(PanelContext& context, double now) {
     Notifications& notifications = context.client.notifications();
     if (outcome->cancelled) {
         notifications.info("Animation cancelled; nothing of it is left");
-        context.trace.event("film-cancelled", "");
+        context.log.event("film-cancelled", "");
     } else if (outcome->error.empty()) {
         notifications.info("Animation written to " + outcome->path);
-        context.trace.event("film", outcome->path);
+        context.log.event("film", outcome->path);
     } else {
         notifications.warn("No animation: " + outcome->error);
-        context.trace.event("film-failed", outcome->error);
+        context.log.event("film-failed", outcome->error);
     }
 }
 
 void FileService::check_replay(PanelContext& context) {
     const auto same = check_.follow(context.client.session(), context.client.loaded());
     if (!same) return;
-    context.trace.event("replayed", *same ? "same" : "different");
+    context.log.event("replayed", *same ? "same" : "different");
     if (!*same)
         context.client.notifications().warn(
             "This is not quite the recorded run: another version or machine has made it");

@@ -77,10 +77,7 @@ std::unique_ptr<Player> make_player(const WindowOptions& options) {
 }  // namespace
 
 MainWindow::MainWindow(const WindowOptions& options, GlfwWindow& window)
-    : window_(window),
-      trace_(options.trace),
-      player_(make_player(options)),
-      client_(*player_, notifications_) {
+    : window_(window), log_(options.trace), player_(make_player(options)), client_(*player_, notifications_) {
     client_.set_loaded(options.name);
     file_service_.opened(options.recording, options.name);
     if (!options.lesson.empty()) files_.open = options.lesson;
@@ -97,7 +94,7 @@ bool MainWindow::idle() const {
 void MainWindow::frame() {
     const bool now_idle = idle();
     if (now_idle) window_.await_events(0.1);
-    if (!std::exchange(was_idle_, now_idle) && now_idle) trace_.event("rest", "");
+    if (!std::exchange(was_idle_, now_idle) && now_idle) log_.event("rest", "");
     clock_.wait();
     // The first frames open the window and build fonts and shaders.
     if (warm_up_ > 0) {
@@ -121,7 +118,7 @@ void MainWindow::frame() {
     PanelContext seen = context();
     file_service_.end_frame(seen, clock_.time());
     if (files_.lesson) read_lesson();
-    trace_.frame(frames_, client_.steps_per_second(), client_.playing(), client_.session(), clock_.time());
+    log_.frame(frames_, client_.steps_per_second(), client_.playing(), client_.session(), clock_.time());
 }
 
 /// Opens the panel on a lesson that has come from a file.
@@ -255,7 +252,7 @@ void MainWindow::type(const InputEvent& event) {
 
 PanelContext MainWindow::context() {
     return {window_.theme(), client_, view_,  measure_view_, files_, history_,
-            frames_,         fields_, names_, tooltip_,      trace_, backgrounds_};
+            frames_,         fields_, names_, tooltip_,      log_,   backgrounds_};
 }
 
 void MainWindow::draw() {

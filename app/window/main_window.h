@@ -21,7 +21,8 @@ namespace whorl::app {
 /// The run, what is known of it, and what shows and steers it.
 class MainWindow {
   public:
-    /// @throws InputError if the scene's choices do not go together, std::runtime_error if the trace cannot
+    /// @throws InputError if the scene's choices do not go together, std::runtime_error if the event log
+    /// cannot
     ///         be written
     MainWindow(const WindowOptions& options, GlfwWindow& window);
 
@@ -43,7 +44,7 @@ class MainWindow {
     void draw();
 
     GlfwWindow& window_;
-    Trace trace_;
+    EventLog log_;
     FrameClock clock_;
     int warm_up_ = 5;           ///< frames that are not measured yet
     std::uint64_t serial_ = 0;  ///< of the moment on screen

@@ -17,7 +17,7 @@ struct WindowOptions {
     double content_scale = 0;    ///< framebuffer pixels to a point; 0 asks the screen
     std::optional<bool> tour;    ///< whether to begin with it; else if it has not been taken yet
     std::string lesson;          ///< file that is opened over it; empty for none
-    std::string trace;           ///< file that gets a line for what happens, see Trace; empty for none
+    std::string trace;           ///< file of the EventLog; empty for none
 };
 
 /// There is no display, or it gives no OpenGL 3.3.

@@ -71,7 +71,7 @@ void open_all_panels(LanesWindow& window) {
     window.frame();
     for (const Panel& panel : panels()) {
         if (panel.open) continue;
-        const Place heading = window.trace.places().in_sight("panel=" + std::string(panel.title)).value();
+        const ControlRect heading = window.log.rects().in_sight("panel=" + std::string(panel.title)).value();
         window.click({heading.x + 0.5f * heading.width, heading.y + 0.5f * heading.height});
     }
     for (int frame = 0; frame < 3; ++frame) window.frame();
@@ -137,7 +137,7 @@ TEST_P(Fit, DialogsAndHelp) {
     window.view.help = true;
     for (int frame = 0; frame < 3; ++frame) window.frame();
     expect_whole("help");
-    const auto last = window.trace.places().in_sight("help-tour");
+    const auto last = window.log.rects().in_sight("help-tour");
     ASSERT_TRUE(last);
     EXPECT_LE(last->y + last->height, static_cast<float>(GetParam().height)) << "the foot of the help";
     window.view.help = false;

@@ -17,7 +17,7 @@
 namespace whorl::app {
 namespace {
 
-/// Places that are no controls, and drawings that tell the values under the pointer instead.
+/// ControlRects that are no controls, and drawings that tell the values under the pointer instead.
 bool is_control(std::string_view key) {
     static constexpr std::string_view others[] = {"field",
                                                   "field=",
@@ -55,13 +55,13 @@ struct HeardWindow : LanesWindow {
     }
     void click(const std::string& key) {
         frames_of(2);
-        const auto where = trace.places().in_sight(key);
+        const auto where = log.rects().in_sight(key);
         ASSERT_TRUE(where) << key;
         LanesWindow::click({where->x + 0.5f * where->width, where->y + 0.5f * where->height});
         frames_of(2);
     }
     void expect_help(const std::string& what) const {
-        for (const std::string& key : trace.places().names()) {
+        for (const std::string& key : log.rects().names()) {
             EXPECT_TRUE(on_item.count(key) > 0 || !is_control(key)) << what << ": " << key << " says nothing";
         }
     }
@@ -172,7 +172,7 @@ TEST(RowLabel, HasItsControlsHelp) {
     LanesWindow window(ui, run_of(presets().front().scene(), 1));
     window.frame();
     window.frame();
-    const auto control = window.trace.places().in_sight("advector");
+    const auto control = window.log.rects().in_sight("advector");
     ASSERT_TRUE(control);
     const auto tooltip_at = [&](float x) {
         ImGui::GetIO().MousePos = {x, control->y + 0.5f * control->height};

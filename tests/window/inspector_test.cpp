@@ -252,7 +252,7 @@ TEST(Inspector, CurvesAreInspectedToo) {
     in.window.frame();
     EXPECT_TRUE(inspected_marks({in.ui.theme, in.window.client, in.window.view, in.window.measure_view,
                                  in.window.files, in.window.history, in.window.frames, in.window.fields,
-                                 in.window.names, in.window.tooltip, in.window.trace, in.window.backgrounds})
+                                 in.window.names, in.window.tooltip, in.window.log, in.window.backgrounds})
                     .empty());
     const float middle = in.window.layout.field.x + 0.5f * in.window.layout.field.width;
     in.window.click({middle, in.window.layout.top + 0.5f * in.window.layout.height});
@@ -264,7 +264,7 @@ TEST(Inspector, CurvesAreInspectedToo) {
     // Two samples, where they are read, and the node.
     EXPECT_EQ(inspected_marks({in.ui.theme, in.window.client, in.window.view, in.window.measure_view,
                                in.window.files, in.window.history, in.window.frames, in.window.fields,
-                               in.window.names, in.window.tooltip, in.window.trace, in.window.backgrounds})
+                               in.window.names, in.window.tooltip, in.window.log, in.window.backgrounds})
                   .size(),
               4u);
 }

@@ -224,17 +224,17 @@ std::vector<LaneSetup> three_lanes() {
     return lanes;
 }
 
-struct Place {
+struct ControlRect {
     float x, y, width, height;
 };
 
 /// Where the trace says that the labs' controls lie, the last place of each.
-std::map<std::string, Place> places_in(const std::string& path) {
-    std::map<std::string, Place> places;
+std::map<std::string, ControlRect> places_in(const std::string& path) {
+    std::map<std::string, ControlRect> places;
     std::ifstream file(path);
     for (std::string line; std::getline(file, line);) {
         char key[128];
-        Place at{};
+        ControlRect at{};
         if (std::sscanf(line.c_str(),
                         "{\"event\":\"control\",\"key\":\"%127[^\"]\",\"x\":%f,\"y\":%f,\"w\":%f,\"h\":%f}",
                         key, &at.x, &at.y, &at.width, &at.height) == 5)
@@ -300,7 +300,7 @@ TEST(LabWindows, OpenByTheirChipsAndKeepStrokesOffTheField) {
     LanesWindow window(ui, {.setup = {.scene = small_rotation()}}, trace.path);
     window.frame();
     for (const LabInfo& lab : labs()) {
-        const Place chip = places_in(trace.path).at("lab=" + std::string(lab.key));
+        const ControlRect chip = places_in(trace.path).at("lab=" + std::string(lab.key));
         window.click({chip.x, chip.y});
         window.frame();
         EXPECT_TRUE(lab.open(window.view.labs)) << lab.key;
@@ -327,7 +327,7 @@ TEST(LabWindows, APointIsDraggedAndAnIntervalChosen) {
     lab.open = true;
     for (int frame = 0; frame < 3; ++frame) window.frame();
     const auto places = places_in(trace.path);
-    const Place point = places.at("interpolation-point=3");
+    const ControlRect point = places.at("interpolation-point=3");
     const float before = lab.values[3];
     ImGuiIO& io = ImGui::GetIO();
     io.MousePos = {point.x, point.y};
@@ -341,14 +341,14 @@ TEST(LabWindows, APointIsDraggedAndAnIntervalChosen) {
     EXPECT_GT(lab.values[3], before + 1);
     EXPECT_FALSE(lab.dragged);
     // Between points 1 and 2, off the curve.
-    const Place one = places_in(trace.path).at("interpolation-point=1");
-    const Place two = places_in(trace.path).at("interpolation-point=2");
+    const ControlRect one = places_in(trace.path).at("interpolation-point=1");
+    const ControlRect two = places_in(trace.path).at("interpolation-point=2");
     window.click({0.5f * (one.x + two.x), one.y - 80});
     EXPECT_EQ(lab.interval, 1);
-    const Place row = places_in(trace.path).at("interpolation-scheme=linear");
+    const ControlRect row = places_in(trace.path).at("interpolation-scheme=linear");
     window.click({row.x, row.y});
     EXPECT_FALSE(lab.shown[Interpolations::of<Linear>().index()]);
-    const Place set = places_in(trace.path).at("interpolation-data=spike");
+    const ControlRect set = places_in(trace.path).at("interpolation-data=spike");
     window.click({set.x, set.y});
     EXPECT_EQ(lab.values[5], 1);
 }
@@ -366,7 +366,7 @@ TEST(LabWindows, CurvesThatLieOnEachOtherAreAllSeen) {
                                Interpolations::of<Bicubic>().index()};
     for (const std::size_t k : one) lab.shown[k] = true;
     for (int frame = 0; frame < 3; ++frame) window.frame();
-    const Place card = places_in(trace.path).at("interpolation-inset");
+    const ControlRect card = places_in(trace.path).at("interpolation-inset");
     // The colour that was drawn last over each dozen of pixels.
     std::map<int, ImU32> on_top;
     const auto look = [&](const ImDrawVert& v) {

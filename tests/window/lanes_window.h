@@ -15,7 +15,7 @@ namespace whorl::app {
 
 struct LanesWindow {
     LanesWindow(HeadlessUi& headless, Recording recording, const std::string& trace_path = {})
-        : ui(headless), player(std::move(recording), 1), trace(trace_path) {
+        : ui(headless), player(std::move(recording), 1), log(trace_path) {
         frames.add(16.7, 5);
         client.begin_frame();
     }
@@ -33,7 +33,7 @@ struct LanesWindow {
         view.range.follow(*view.shown, view.difference, fields.span(), ColourRange::at_once);
         backgrounds.clear();
         PanelContext context{ui.theme, client, view,  measure_view, files, history,
-                             frames,   fields, names, tooltip,      trace, backgrounds};
+                             frames,   fields, names, tooltip,      log,   backgrounds};
         const ImVec2 size = ImGui::GetIO().DisplaySize;
         layout = lay_out(ui.theme, field_shape(session, view), size.x, size.y,
                          view.lessons || view.labs.inspector.open);
@@ -85,7 +85,7 @@ struct LanesWindow {
     LaneFields fields;
     LaneNames names;
     Tooltip tooltip;
-    Trace trace;
+    EventLog log;
     BackgroundRects backgrounds;
     Layout layout{};
     FieldPlacement place;

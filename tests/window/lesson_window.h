@@ -32,7 +32,7 @@ struct LessonWindow {
         fields.update(session, *view.shown, view.difference);
         backgrounds.clear();
         PanelContext context{ui.theme, client, view,  measures, files, history,
-                             frames,   fields, names, tooltip,  trace, backgrounds};
+                             frames,   fields, names, tooltip,  log,   backgrounds};
         const ImVec2 screen = ImGui::GetIO().DisplaySize;
         const float width = ui.theme.px(lesson_column_width);
         const float margin = ui.theme.px(8);
@@ -60,7 +60,7 @@ struct LessonWindow {
     }
     /// Clicks a control by its name in the trace.
     void click(const char* key) {
-        const auto place = trace.places().in_sight(key);
+        const auto place = log.rects().in_sight(key);
         ASSERT_TRUE(place) << key;
         ImGuiIO& io = ImGui::GetIO();
         io.MousePos = {place->x + 0.5f * place->width, place->y + 0.5f * place->height};
@@ -94,7 +94,7 @@ struct LessonWindow {
     LaneFields fields;
     LaneNames names;
     Tooltip tooltip;
-    Trace trace{""};
+    EventLog log{""};
     BackgroundRects backgrounds;
     LessonPlayer lesson_player;
     ImRect column;

@@ -59,7 +59,7 @@ std::string drawn(HeadlessUi& ui, const Recording& run, Look look) {
         LaneFields fields;
         LaneNames names;
         Tooltip tooltip;
-        Trace trace(path);
+        EventLog log(path);
         BackgroundRects backgrounds;
         for (int frame = 0; frame < 3; ++frame) {
             client.begin_frame();
@@ -69,7 +69,7 @@ std::string drawn(HeadlessUi& ui, const Recording& run, Look look) {
             fields.update(client.session(), *view.shown, view.difference);
             names.update(client.session().setup);
             PanelContext context{ui.theme, client, view,  measure_view, files, history,
-                                 frames,   fields, names, tooltip,      trace, backgrounds};
+                                 frames,   fields, names, tooltip,      log,   backgrounds};
             ui.frame([&] {
                 draw_control_column(context);
                 draw_measure_column(context);

@@ -101,8 +101,8 @@ struct TourWindow : LanesWindow {
         };
         for (int k = 0; k < count; ++k) frame();
     }
-    std::optional<Place> card() const {
-        return trace.places().in_sight("tour-card=" + std::to_string(view.tour.place() + 1));
+    std::optional<ControlRect> card() const {
+        return log.rects().in_sight("tour-card=" + std::to_string(view.tour.place() + 1));
     }
 };
 
@@ -130,7 +130,7 @@ TEST(TourCard, FindsWhatItSpeaksOfInEveryWindow) {
                 SCOPED_TRACE("card " + std::to_string(k + 1) + " at " + std::to_string(size.width) + ", " +
                              std::to_string(lanes) + " lanes");
                 window.frames_of_tour(settled);
-                const auto target = target_of(window.view.tour.stop(), window.trace.places());
+                const auto target = target_of(window.view.tour.stop(), window.log.rects());
                 ASSERT_TRUE(target);
                 const auto card = window.card();
                 ASSERT_TRUE(card);
@@ -143,7 +143,7 @@ TEST(TourCard, FindsWhatItSpeaksOfInEveryWindow) {
                 EXPECT_LE(drawn->ContentSize.x, drawn->InnerRect.GetWidth() - 2 * drawn->WindowPadding.x);
                 EXPECT_LE(drawn->ContentSize.y, drawn->InnerRect.GetHeight() - 2 * drawn->WindowPadding.y);
                 if (std::string_view(window.view.tour.stop().panel) == "Labs") {
-                    EXPECT_TRUE(window.trace.places().in_sight("lab=interpolation"));
+                    EXPECT_TRUE(window.log.rects().in_sight("lab=interpolation"));
                 }
                 window.view.tour.next();
             }
@@ -159,7 +159,7 @@ TEST(TourCard, IsUsedWithTheMouseWhileTheRunGoesOn) {
     window.view.tour.begin();
     window.frames_of_tour(settled);
     const auto middle = [&](const char* key) {
-        const Place place = window.trace.places().in_sight(key).value();
+        const ControlRect place = window.log.rects().in_sight(key).value();
         return ImVec2{place.x + 0.5f * place.width, place.y + 0.5f * place.height};
     };
     window.click(middle("tour-next"));
@@ -193,10 +193,10 @@ TEST(TourCard, LeavesTheLeftColumnAtItsHead) {
         window.view.tour.next();
     }
     window.frames_of_tour(settled);
-    ASSERT_FALSE(window.trace.places().in_sight("play")) << "the last card is about what stands below";
+    ASSERT_FALSE(window.log.rects().in_sight("play")) << "the last card is about what stands below";
     window.view.tour.next();
     window.frames_of_tour(settled);
-    EXPECT_TRUE(window.trace.places().in_sight("play"));
+    EXPECT_TRUE(window.log.rects().in_sight("play"));
 }
 
 TEST(TourCard, StepsAsideForTheHelpWhichBringsItBack) {
@@ -209,7 +209,7 @@ TEST(TourCard, StepsAsideForTheHelpWhichBringsItBack) {
     EXPECT_FALSE(window.view.tour_in_sight(window.files));
     window.frames_of_tour(settled);
     EXPECT_FALSE(window.card());
-    const Place button = window.trace.places().in_sight("help-tour").value();
+    const ControlRect button = window.log.rects().in_sight("help-tour").value();
     window.click({button.x + 0.5f * button.width, button.y + 0.5f * button.height});
     EXPECT_FALSE(window.view.help);
     EXPECT_TRUE(window.view.tour.running());
