@@ -27,8 +27,8 @@ bool walk(int key, const Grid& grid, WorldPoint& at) {
 
 }  // namespace
 
-bool InspectTool::take(const InputEvent& event, const FieldPlacement& place, SessionClient& client,
-                       ViewState& view) {
+bool InspectTool::take(const InputEvent& event, const FieldViewports& place, SessionClient& client,
+                       ViewSettings& view) {
     using Kind = InputEvent::Kind;
     Inspector& inspector = view.labs.inspector;
     if (!inspector.open) {
@@ -58,8 +58,8 @@ bool InspectTool::take(const InputEvent& event, const FieldPlacement& place, Ses
     }
 }
 
-void InspectTool::pick(const FieldPlacement& place, const FieldTile& tile, double x, double y,
-                       SessionClient& client, ViewState& view) const {
+void InspectTool::pick(const FieldViewports& place, const FieldTile& tile, double x, double y,
+                       SessionClient& client, ViewSettings& view) const {
     view.labs.inspector.pick(place.world(tile, x, y));
     client.select(tile.lane);
 }

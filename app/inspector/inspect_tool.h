@@ -13,11 +13,12 @@ namespace whorl::app {
 class InspectTool {
   public:
     /// @return whether the event was meant for the inspector, and is nobody else's
-    bool take(const InputEvent& event, const FieldPlacement& place, SessionClient& client, ViewState& view);
+    bool take(const InputEvent& event, const FieldViewports& place, SessionClient& client,
+              ViewSettings& view);
 
   private:
-    void pick(const FieldPlacement& place, const FieldTile& tile, double x, double y, SessionClient& client,
-              ViewState& view) const;
+    void pick(const FieldViewports& place, const FieldTile& tile, double x, double y, SessionClient& client,
+              ViewSettings& view) const;
 
     bool picking_ = false;
 };

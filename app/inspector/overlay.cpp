@@ -22,7 +22,7 @@ bool cuts(const Sum& sum) {
 /// One tile's overlay.
 class Drawing {
   public:
-    Drawing(const PanelContext& context, const FieldPlacement& place, const FieldTile& tile, ImDrawList& list)
+    Drawing(const PanelContext& context, const FieldViewports& place, const FieldTile& tile, ImDrawList& list)
         : theme_(context.theme),
           inspector_(context.view.labs.inspector),
           place_(place),
@@ -227,7 +227,7 @@ class Drawing {
 
     const Theme& theme_;
     const Inspector& inspector_;
-    const FieldPlacement& place_;
+    const FieldViewports& place_;
     const FieldTile& tile_;
     ImDrawList& list_;
     PathColours colours_;
@@ -242,7 +242,7 @@ PathColours path_colours(const Theme& theme) {
     return {series[1], series[4], series[2], theme.palette.text};
 }
 
-void draw_inspected(const PanelContext& context, const FieldPlacement& place, ImDrawList& list) {
+void draw_inspected(const PanelContext& context, const FieldViewports& place, ImDrawList& list) {
     if (!context.view.labs.inspector.open) return;
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const FieldTile* under = place.at(static_cast<double>(mouse.x), static_cast<double>(mouse.y));

@@ -19,7 +19,7 @@ PathColours path_colours(const Theme& theme);
 
 /// In every tile, of its own lane: the node, its path and the paths to compare it with, the nodes that are
 /// read with their weights, those that bound it, and the particles.
-void draw_inspected(const PanelContext& context, const FieldPlacement& place, ImDrawList& list);
+void draw_inspected(const PanelContext& context, const FieldViewports& place, ImDrawList& list);
 
 /// The same of the selected lane, where fields are drawn as curves: the samples that are read, as large as
 /// they count, where they are read, and the node.

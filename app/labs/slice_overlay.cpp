@@ -24,7 +24,7 @@ struct TileLine {
     glm::dvec2 at(double part) const { return from + part * (to - from); }
 };
 
-TileLine on_tile(const SliceLine& line, const SessionSnapshot& session, const FieldPlacement& place,
+TileLine on_tile(const SliceLine& line, const SessionSnapshot& session, const FieldViewports& place,
                  const FieldTile& tile) {
     const GridLine placed = place_line(line, session.lanes[tile.lane].grid);
     return {place.pixel(tile, placed.world(0)), place.pixel(tile, placed.world(1))};
@@ -59,7 +59,7 @@ void draw_line(ImDrawList& list, const Theme& theme, const FieldTile& tile, cons
 }
 
 /// The grip under a pointer that could take hold of it: the brush's buttons and keys come first.
-std::optional<SliceHit> under_pointer(const PanelContext& context, const FieldPlacement& place) {
+std::optional<SliceHit> under_pointer(const PanelContext& context, const FieldViewports& place) {
     const ImGuiIO& io = ImGui::GetIO();
     if (io.KeyShift || io.KeyCtrl || io.KeyAlt || ImGui::IsAnyMouseDown()) return std::nullopt;
     return hit_slice(context.view.labs.slice.line, context.client.session(), place,
@@ -70,7 +70,7 @@ std::optional<SliceHit> under_pointer(const PanelContext& context, const FieldPl
 }  // namespace
 
 std::optional<SliceHit> hit_slice(const SliceLine& line, const SessionSnapshot& session,
-                                  const FieldPlacement& place, glm::dvec2 pixel, float point) {
+                                  const FieldViewports& place, glm::dvec2 pixel, float point) {
     if (place.covered) return std::nullopt;
     for (const FieldTile& tile : place.tiles) {
         const TileLine here = on_tile(line, session, place, tile);
@@ -88,7 +88,7 @@ std::optional<SliceHit> hit_slice(const SliceLine& line, const SessionSnapshot& 
     return std::nullopt;
 }
 
-void draw_slice_line(const PanelContext& context, const FieldPlacement& place, ImDrawList& list) {
+void draw_slice_line(const PanelContext& context, const FieldViewports& place, ImDrawList& list) {
     SliceLab& lab = context.view.labs.slice;
     const auto hit = lab.open ? under_pointer(context, place) : std::nullopt;
     lab.under_pointer = hit ? hit->grip : SliceGrip::None;

@@ -21,9 +21,9 @@ struct SliceHit {
 /// The end or the place of the line that a pixel is near enough to, if any; ends come first.
 /// @param point pixels to a point
 std::optional<SliceHit> hit_slice(const SliceLine& line, const SessionSnapshot& session,
-                                  const FieldPlacement& place, glm::dvec2 pixel, float point);
+                                  const FieldViewports& place, glm::dvec2 pixel, float point);
 
 /// Draws the line with its ends over each field while its window is open, and sees what the pointer is near.
-void draw_slice_line(const PanelContext& context, const FieldPlacement& place, ImDrawList& list);
+void draw_slice_line(const PanelContext& context, const FieldViewports& place, ImDrawList& list);
 
 }  // namespace whorl::app

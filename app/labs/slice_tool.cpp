@@ -13,14 +13,14 @@ namespace {
 constexpr float snap_reach = 3;  // points
 
 /// A pixel's place as fractions of the domain.
-glm::dvec2 fraction(const FieldPlacement& place, const FieldTile& tile, double x, double y) {
+glm::dvec2 fraction(const FieldViewports& place, const FieldTile& tile, double x, double y) {
     return glm::mix(glm::dvec2(place.window.low), glm::dvec2(place.window.high),
-                    FieldPlacement::part(tile, x, y));
+                    FieldViewports::part(tile, x, y));
 }
 
 }  // namespace
 
-bool SliceTool::take(const InputEvent& event, const FieldPlacement& place, const SessionSnapshot& session,
+bool SliceTool::take(const InputEvent& event, const FieldViewports& place, const SessionSnapshot& session,
                      float point, SliceLab& lab) {
     using Kind = InputEvent::Kind;
     const bool holds = lab.held != SliceGrip::None;

@@ -13,7 +13,7 @@ class SliceTool {
   public:
     /// @param point pixels to a point
     /// @return whether the event was meant for the line, and is nobody else's
-    bool take(const InputEvent& event, const FieldPlacement& place, const SessionSnapshot& session,
+    bool take(const InputEvent& event, const FieldViewports& place, const SessionSnapshot& session,
               float point, SliceLab& lab);
 
   private:

@@ -81,7 +81,7 @@ FieldTile tile_in(const PanelContext& context, std::size_t lane, const PixelRect
 }
 
 /// Two fields in one place: the first ends and the second begins at the line.
-void divide(FieldPlacement& place, float wipe) {
+void divide(FieldViewports& place, float wipe) {
     FieldTile& left = place.tiles[0];
     FieldTile& right = place.tiles[1];
     const int x = left.rect.x + static_cast<int>(std::lround(wipe * static_cast<float>(left.rect.width)));
@@ -91,7 +91,7 @@ void divide(FieldPlacement& place, float wipe) {
     place.wipe = static_cast<float>(x);
 }
 
-void draw_wipe_line(const Theme& theme, const FieldPlacement& place, ImDrawList& list) {
+void draw_wipe_line(const Theme& theme, const FieldViewports& place, ImDrawList& list) {
     const PixelRect& rect = place.tiles.front().rect;
     const auto top = static_cast<float>(rect.y);
     const auto bottom = static_cast<float>(rect.y + rect.height);
@@ -111,7 +111,7 @@ void draw_wipe_line(const Theme& theme, const FieldPlacement& place, ImDrawList&
 }
 
 /// A ring where the brush is, on the tile under the pointer, and fainter at the same place of the others.
-void draw_brush(const PanelContext& context, const FieldPlacement& place, ImDrawList& list) {
+void draw_brush(const PanelContext& context, const FieldViewports& place, ImDrawList& list) {
     const ImGuiIO& io = ImGui::GetIO();
     if (context.view.labs.slice.grip() != SliceGrip::None) return;
     const FieldTile* under = place.at(static_cast<double>(io.MousePos.x), static_cast<double>(io.MousePos.y));
@@ -206,7 +206,7 @@ void draw_failure(PanelContext& context, const PixelRect& rect) {
 }
 
 /// Titles: above each field, or of two fields in one place at both ends of the line above it.
-void draw_titles(PanelContext& context, const FieldPlacement& place) {
+void draw_titles(PanelContext& context, const FieldViewports& place) {
     const float head = lane_title_height(context.theme);
     const auto gap = context.theme.px(16);
     for (std::size_t k = 0; k < place.tiles.size(); ++k) {
@@ -221,7 +221,7 @@ void draw_titles(PanelContext& context, const FieldPlacement& place) {
     }
 }
 
-void draw_fields(PanelContext& context, const FieldPlacement& place, const PixelRect& all) {
+void draw_fields(PanelContext& context, const FieldViewports& place, const PixelRect& all) {
     const Theme& theme = context.theme;
     const bool several = context.names.size() > 1;
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -250,7 +250,7 @@ void draw_fields(PanelContext& context, const FieldPlacement& place, const Pixel
 
 }  // namespace
 
-FieldShape field_shape(const SessionSnapshot& session, const ViewState& view) {
+FieldShape field_shape(const SessionSnapshot& session, const ViewSettings& view) {
     const auto lanes = static_cast<int>(session.lanes.size());
     return {session.lanes.front().grid, lanes, view.compare == Compare::SideBySide ? lanes : 1};
 }
@@ -263,7 +263,7 @@ float field_width_for(const Theme& theme, const FieldShape& shape, ImVec2 room) 
 }
 
 // NOLINTNEXTLINE(readability-function-size)
-FieldPlacement draw_field_area(PanelContext& context) {
+FieldViewports draw_field_area(PanelContext& context) {
     const Theme& theme = context.theme;
     const SessionSnapshot& session = context.client.session();
     const FieldShape shape = field_shape(session, context.view);
@@ -273,7 +273,7 @@ FieldPlacement draw_field_area(PanelContext& context) {
     const float header = field_header_height(theme, several);
     const float edge = theme.px(2);  // a column's is its border
 
-    FieldPlacement place;
+    FieldViewports place;
     place.window = context.view.window;
     place.covered = context.view.help || context.view.labs.under_pointer ||
                     context.view.tour.under_pointer() ||

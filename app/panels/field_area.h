@@ -12,12 +12,12 @@ struct FieldShape {
     int lanes = 1;
     int tiles = 1;  ///< fields side by side
 };
-FieldShape field_shape(const SessionSnapshot& session, const ViewState& view);
+FieldShape field_shape(const SessionSnapshot& session, const ViewSettings& view);
 
 /// Width that the largest fields take of a centre column of this size, pixels.
 float field_width_for(const Theme& theme, const FieldShape& shape, ImVec2 room);
 
 /// Fills the current ImGui window with all but the fields themselves, which lie behind it.
-FieldPlacement draw_field_area(PanelContext& context);
+FieldViewports draw_field_area(PanelContext& context);
 
 }  // namespace whorl::app

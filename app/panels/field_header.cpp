@@ -39,7 +39,7 @@ const char* hints(const Snapshot& s, bool inspects, float width) {
 }
 
 /// Position, cell and value under a pixel, without the cell where there is no room for it.
-std::string reading(const PanelContext& context, const FieldPlacement& place, const FieldTile& tile,
+std::string reading(const PanelContext& context, const FieldViewports& place, const FieldTile& tile,
                     ImVec2 pixel, float room) {
     const Snapshot& s = context.client.session().lanes[tile.lane];
     const WorldPoint at = place.world(tile, static_cast<double>(pixel.x), static_cast<double>(pixel.y));
@@ -57,7 +57,7 @@ std::string reading(const PanelContext& context, const FieldPlacement& place, co
 
 /// The reading at the right end of a line, behind the name of its lane where there is room for both.
 /// @return whether the pointer is on a field
-bool draw_reading(const PanelContext& context, const FieldPlacement& place, float right, float y,
+bool draw_reading(const PanelContext& context, const FieldViewports& place, float right, float y,
                   float room) {
     const Theme& theme = context.theme;
     const ImVec2 mouse = ImGui::GetIO().MousePos;
@@ -103,8 +103,8 @@ class Chips {
 };
 
 /// @return the left end of what was drawn
-float draw_chips(PanelContext& context, const FieldPlacement& place, float right, float y) {
-    ViewState& view = context.view;
+float draw_chips(PanelContext& context, const FieldViewports& place, float right, float y) {
+    ViewSettings& view = context.view;
     Chips chips(context, right, y);
     if (context.names.size() > 1) {
         const std::string& reference = context.names.name(context.fields.reference());
@@ -151,7 +151,7 @@ float field_header_height(const Theme& theme, bool several) {
     return theme.title->FontSize + theme.small->FontSize + theme.px(several ? 22 : 18);
 }
 
-void draw_field_header(PanelContext& context, const FieldPlacement& place, ImVec2 corner, float width) {
+void draw_field_header(PanelContext& context, const FieldViewports& place, ImVec2 corner, float width) {
     const Theme& theme = context.theme;
     const View& view = context.fields.view();
     ImGui::SetCursorScreenPos(corner);

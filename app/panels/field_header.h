@@ -13,6 +13,6 @@ std::string shown_quantity(const PanelContext& context);
 float field_header_height(const Theme& theme, bool several);
 
 /// Draws at `corner`, `width` pixels wide.
-void draw_field_header(PanelContext& context, const FieldPlacement& place, ImVec2 corner, float width);
+void draw_field_header(PanelContext& context, const FieldViewports& place, ImVec2 corner, float width);
 
 }  // namespace whorl::app

@@ -22,7 +22,7 @@ namespace whorl::app {
 struct PanelContext {
     const Theme& theme;
     SessionClient& client;  ///< the run: its newest snapshot, the scene as chosen, and what to ask of it
-    ViewState& view;
+    ViewSettings& view;
     MeasureView& measures;
     FileRequests& files;
     const History& history;

@@ -4,12 +4,12 @@
 
 namespace whorl::app {
 
-SavedView save_view(const SessionClient& client, const ViewState& view) {
+SavedView save_view(const SessionClient& client, const ViewSettings& view) {
     return {view.shown,  view.difference,   view.compare,  view.wipe,
             view.window, client.selected(), client.other()};
 }
 
-void restore_view(const SavedView& saved, SessionClient& client, ViewState& view) {
+void restore_view(const SavedView& saved, SessionClient& client, ViewSettings& view) {
     view.shown = saved.shown;
     view.difference = saved.difference;
     view.compare = saved.compare;
@@ -21,7 +21,7 @@ void restore_view(const SavedView& saved, SessionClient& client, ViewState& view
 }
 
 void SavedRun::load_over(std::string_view name, const Recording& recording, SessionClient& client,
-                         const ViewState& view) {
+                         const ViewSettings& view) {
     wanted_ = false;
     const bool own = client.loads() != own_load_;
     // One that is still on its way back has not all of itself on screen yet.
@@ -49,7 +49,7 @@ void SavedRun::give_back(SessionClient& client) {
     }
 }
 
-void SavedRun::update(SessionClient& client, ViewState& view) {
+void SavedRun::update(SessionClient& client, ViewSettings& view) {
     take(client);
     if (wanted_ && !holds(client)) {
         wanted_ = false;
@@ -77,7 +77,7 @@ void SavedRun::take(SessionClient& client) {
         "More was done in your run than a recording holds: it cannot be brought back after the lessons");
 }
 
-void SavedRun::follow(SessionClient& client, ViewState& view) {
+void SavedRun::follow(SessionClient& client, ViewSettings& view) {
     if (client.loads() != returning_->load) return returning_.reset();
     if (client.session().run == returning_->left) return;
     const Entry& saved = returning_->saved;

@@ -19,8 +19,8 @@ struct SavedView {
     std::size_t selected, other;
 };
 
-SavedView save_view(const SessionClient& client, const ViewState& view);
-void restore_view(const SavedView& saved, SessionClient& client, ViewState& view);
+SavedView save_view(const SessionClient& client, const ViewSettings& view);
+void restore_view(const SavedView& saved, SessionClient& client, ViewSettings& view);
 
 /// Keeps one run at a time, from the load that takes its place until it is given back or no longer wanted.
 class SavedRun {
@@ -28,14 +28,14 @@ class SavedRun {
     /// Begins another run in the place of the one on screen, which is saved if it is not the last that was
     /// begun here: else that which was saved then stays saved.
     void load_over(std::string_view name, const Recording& recording, SessionClient& client,
-                   const ViewState& view);
+                   const ViewSettings& view);
     /// Whether a run is saved, and the one on screen is the last that was begun here: someone may have loaded
     /// another one since, which then stays.
     bool holds(const SessionClient& client) const { return saved_ && client.loads() == own_load_; }
     /// Brings the saved run back, as soon as it can be.
     void give_back(SessionClient& client);
     /// Follows the run on its way; call once a frame.
-    void update(SessionClient& client, ViewState& view);
+    void update(SessionClient& client, ViewSettings& view);
 
   private:
     struct Entry {
@@ -54,7 +54,7 @@ class SavedRun {
     };
 
     void take(SessionClient& client);
-    void follow(SessionClient& client, ViewState& view);
+    void follow(SessionClient& client, ViewSettings& view);
 
     int own_load_ = -1;
     bool wanted_ = false;  ///< it is to be given back

@@ -29,7 +29,7 @@ struct Renaming {
     char text[48] = "";
 };
 
-struct ViewState {
+struct ViewSettings {
     const View* shown = &views().front();
     bool difference = false;  ///< of each lane from the reference lane, in that view
     Compare compare = Compare::SideBySide;

@@ -17,7 +17,7 @@ double length(WorldPoint a, WorldPoint b) {
 
 }  // namespace
 
-void BrushTool::take(const InputEvent& event, const FieldPlacement& place) {
+void BrushTool::take(const InputEvent& event, const FieldViewports& place) {
     using Kind = InputEvent::Kind;
     if (event.kind == Kind::Press && mode_ == Mode::None) {
         const FieldTile* tile = place.at(event.x, event.y);

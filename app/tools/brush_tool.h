@@ -14,7 +14,7 @@ namespace whorl::app {
 class BrushTool {
   public:
     /// Begins a drag if a press falls on a field, follows it in that field's coordinates, and ends it.
-    void take(const InputEvent& event, const FieldPlacement& place);
+    void take(const InputEvent& event, const FieldViewports& place);
     /// Sends what the drag has done since the last frame. Held still, it goes on emitting while the run
     /// plays.
     void end_frame(SessionClient& client);

@@ -14,14 +14,14 @@ constexpr double reach_pixels = 7;  // from the line, on either side
 
 }  // namespace
 
-bool on_wipe_line(const FieldPlacement& place, double x, double y) {
+bool on_wipe_line(const FieldViewports& place, double x, double y) {
     if (!place.wipe || place.covered) return false;
     const PixelRect& rect = place.tiles.front().rect;
     return y >= rect.y && y < rect.y + rect.height &&
            std::abs(x - static_cast<double>(*place.wipe)) <= reach_pixels;
 }
 
-bool ViewTool::take(const InputEvent& event, const FieldPlacement& place, ViewState& view) {
+bool ViewTool::take(const InputEvent& event, const FieldViewports& place, ViewSettings& view) {
     using Kind = InputEvent::Kind;
     switch (event.kind) {
         case Kind::Press:
@@ -58,7 +58,7 @@ bool ViewTool::take(const InputEvent& event, const FieldPlacement& place, ViewSt
     }
 }
 
-bool ViewTool::press(const InputEvent& event, const FieldPlacement& place) {
+bool ViewTool::press(const InputEvent& event, const FieldViewports& place) {
     if (drag_ != Drag::None) return false;
     const bool left = event.code == GLFW_MOUSE_BUTTON_LEFT;
     const FieldTile* tile = place.at(event.x, event.y);
@@ -78,7 +78,7 @@ bool ViewTool::press(const InputEvent& event, const FieldPlacement& place) {
     return true;
 }
 
-void ViewTool::move(const InputEvent& event, const FieldPlacement& place, ViewState& view) {
+void ViewTool::move(const InputEvent& event, const FieldViewports& place, ViewSettings& view) {
     const FieldTile* tile = place.of(lane_);
     if (tile == nullptr) return;
     if (drag_ == Drag::Wipe) {
@@ -86,15 +86,15 @@ void ViewTool::move(const InputEvent& event, const FieldPlacement& place, ViewSt
         view.wipe = static_cast<float>(std::clamp(part, 0.0, 1.0));
     } else {
         const glm::dvec2 by =
-            FieldPlacement::part(*tile, x_, y_) - FieldPlacement::part(*tile, event.x, event.y);
+            FieldViewports::part(*tile, x_, y_) - FieldViewports::part(*tile, event.x, event.y);
         view.window = panned(view.window, glm::vec2(by));
     }
 }
 
 /// About the pointer, or about the middle where that is on no field.
-void ViewTool::zoom(double notches, const FieldPlacement& place, ViewState& view) const {
+void ViewTool::zoom(double notches, const FieldViewports& place, ViewSettings& view) const {
     const FieldTile* tile = place.at(x_, y_);
-    const glm::dvec2 about = tile != nullptr ? FieldPlacement::part(*tile, x_, y_) : glm::dvec2(0.5);
+    const glm::dvec2 about = tile != nullptr ? FieldViewports::part(*tile, x_, y_) : glm::dvec2(0.5);
     view.window =
         zoomed(view.window, glm::vec2(about), static_cast<float>(std::pow(notch, notches)), place.cells);
 }

@@ -11,14 +11,14 @@ namespace whorl::app {
 class ViewTool {
   public:
     /// @return whether the event was meant for the view, and is nobody else's
-    bool take(const InputEvent& event, const FieldPlacement& place, ViewState& view);
+    bool take(const InputEvent& event, const FieldViewports& place, ViewSettings& view);
 
   private:
     enum class Drag { None, Pan, Wipe };
 
-    bool press(const InputEvent& event, const FieldPlacement& place);
-    void move(const InputEvent& event, const FieldPlacement& place, ViewState& view);
-    void zoom(double notches, const FieldPlacement& place, ViewState& view) const;
+    bool press(const InputEvent& event, const FieldViewports& place);
+    void move(const InputEvent& event, const FieldViewports& place, ViewSettings& view);
+    void zoom(double notches, const FieldViewports& place, ViewSettings& view) const;
 
     Drag drag_ = Drag::None;
     int button_ = 0;
@@ -27,6 +27,6 @@ class ViewTool {
 };
 
 /// Whether a pixel is near enough to the line between two lanes to take hold of it.
-bool on_wipe_line(const FieldPlacement& place, double x, double y);
+bool on_wipe_line(const FieldViewports& place, double x, double y);
 
 }  // namespace whorl::app

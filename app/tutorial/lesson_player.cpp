@@ -21,7 +21,7 @@ Compare compare_of(LessonMode mode) {
     return Compare::SideBySide;
 }
 
-void look(const LessonStep& step, SessionClient& client, ViewState& view) {
+void look(const LessonStep& step, SessionClient& client, ViewSettings& view) {
     view.shown = step.view;
     view.difference = step.mode == LessonMode::Difference;
     view.compare = compare_of(step.mode);
@@ -41,23 +41,23 @@ void LessonPlayer::set_open(bool open, SessionClient& client) {
     saved_run_.give_back(client);
 }
 
-void LessonPlayer::begin(const Lesson& lesson, SessionClient& client, const ViewState& view) {
+void LessonPlayer::begin(const Lesson& lesson, SessionClient& client, const ViewSettings& view) {
     open_ = true;
     lesson_ = &lesson;
     enter(0, client, view);
 }
 
 void LessonPlayer::begin_own(std::shared_ptr<const Lesson> lesson, SessionClient& client,
-                             const ViewState& view) {
+                             const ViewSettings& view) {
     own_ = std::move(lesson);
     begin(*own_, client, view);
 }
 
-void LessonPlayer::next(SessionClient& client, const ViewState& view) {
+void LessonPlayer::next(SessionClient& client, const ViewSettings& view) {
     if (lesson_ != nullptr && !last()) enter(place_ + 1, client, view);
 }
 
-void LessonPlayer::back(SessionClient& client, const ViewState& view) {
+void LessonPlayer::back(SessionClient& client, const ViewSettings& view) {
     if (lesson_ != nullptr && !first()) enter(place_ - 1, client, view);
 }
 
@@ -67,18 +67,18 @@ const Lesson* LessonPlayer::next_lesson() const {
     return here == all.end() || here + 1 == all.end() ? nullptr : &*(here + 1);
 }
 
-void LessonPlayer::enter(std::size_t place, SessionClient& client, const ViewState& view) {
+void LessonPlayer::enter(std::size_t place, SessionClient& client, const ViewSettings& view) {
     place_ = place;
     turned_ = true;
     show(client, view);
 }
 
-void LessonPlayer::show(SessionClient& client, const ViewState& view) {
+void LessonPlayer::show(SessionClient& client, const ViewSettings& view) {
     left_ = client.session().run;
     saved_run_.load_over(step().scene, step().recording, client, view);
 }
 
-bool LessonPlayer::take(const InputEvent& event, SessionClient& client, const ViewState& view) {
+bool LessonPlayer::take(const InputEvent& event, SessionClient& client, const ViewSettings& view) {
     if (!open_ || lesson_ == nullptr || event.kind != InputEvent::Kind::Key) return false;
     if (event.code != GLFW_KEY_PAGE_DOWN && event.code != GLFW_KEY_PAGE_UP) return false;
     if (event.repeated) return true;
@@ -97,7 +97,7 @@ bool LessonPlayer::begun(const SessionClient& client) const {
     return session.run != *left_ && (!recording.commands.empty() || session.setup == recording.setup);
 }
 
-void LessonPlayer::update(SessionClient& client, ViewState& view) {
+void LessonPlayer::update(SessionClient& client, ViewSettings& view) {
     saved_run_.update(client, view);
     if (lesson_ == nullptr || !left_ || !begun(client)) return;
     // A view may have nothing to show before the step's moment.

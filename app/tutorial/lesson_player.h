@@ -36,27 +36,27 @@ class LessonPlayer {
 
     /// Opens the panel on a lesson's first step.
     /// @param lesson  must live as long as it is read
-    void begin(const Lesson& lesson, SessionClient& client, const ViewState& view);
+    void begin(const Lesson& lesson, SessionClient& client, const ViewSettings& view);
     /// The same with a lesson from a file, which stays in the list until another one is opened.
-    void begin_own(std::shared_ptr<const Lesson> lesson, SessionClient& client, const ViewState& view);
+    void begin_own(std::shared_ptr<const Lesson> lesson, SessionClient& client, const ViewSettings& view);
     /// The last lesson from a file; null if there is none.
     const Lesson* own() const { return own_.get(); }
     /// Back to the list of lessons; the run stays.
     void leave() { lesson_ = nullptr; }
-    void next(SessionClient& client, const ViewState& view);
-    void back(SessionClient& client, const ViewState& view);
+    void next(SessionClient& client, const ViewSettings& view);
+    void back(SessionClient& client, const ViewSettings& view);
     /// The step's run and view again, whatever has been changed since.
-    void show(SessionClient& client, const ViewState& view);
+    void show(SessionClient& client, const ViewSettings& view);
     /// Turns to the next step at PageDown and back at PageUp, while a lesson is read.
     /// @return whether the event was one of them
-    bool take(const InputEvent& event, SessionClient& client, const ViewState& view);
+    bool take(const InputEvent& event, SessionClient& client, const ViewSettings& view);
     /// Looks at the shown run as the step says; call once a frame.
-    void update(SessionClient& client, ViewState& view);
+    void update(SessionClient& client, ViewSettings& view);
     /// Whether another step was entered since the last call.
     bool take_turned() { return std::exchange(turned_, false); }
 
   private:
-    void enter(std::size_t place, SessionClient& client, const ViewState& view);
+    void enter(std::size_t place, SessionClient& client, const ViewSettings& view);
     bool begun(const SessionClient& client) const;
 
     bool open_ = false;

@@ -23,7 +23,7 @@ struct FieldTile {
     }
 };
 
-struct FieldPlacement {
+struct FieldViewports {
     std::vector<FieldTile> tiles;  ///< none if the run is drawn as curves
     ViewWindow window{};           ///< part of the domain that each shows
     glm::ivec2 cells{1, 1};        ///< of the finest lane

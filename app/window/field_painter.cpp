@@ -39,8 +39,8 @@ void FieldPainter::upload(const Snapshot& snapshot, const LaneFields& fields, st
     part.solids.upload(part.mask, snapshot.grid.nx, snapshot.grid.ny);
 }
 
-void FieldPainter::draw(const SessionSnapshot& session, const LaneFields& fields, const ViewState& view,
-                        const FieldPlacement& place, const Theme& theme, int framebuffer_height) {
+void FieldPainter::draw(const SessionSnapshot& session, const LaneFields& fields, const ViewSettings& view,
+                        const FieldViewports& place, const Theme& theme, int framebuffer_height) {
     const ColourMap& map = view.map(fields.view(), fields.difference());
     const auto drawing = [&](const FieldTile& tile) {
         FieldDraw draw;

@@ -21,8 +21,8 @@ class FieldPainter {
     /// Clears the framebuffer to the background and the backgrounds.
     static void clear(const Theme& theme, const BackgroundRects& backgrounds, int framebuffer_height);
     /// Draws the fields where they belong. A field is uploaded once, when it is first drawn.
-    void draw(const SessionSnapshot& session, const LaneFields& fields, const ViewState& view,
-              const FieldPlacement& place, const Theme& theme, int framebuffer_height);
+    void draw(const SessionSnapshot& session, const LaneFields& fields, const ViewSettings& view,
+              const FieldViewports& place, const Theme& theme, int framebuffer_height);
 
   private:
     /// What is drawn of a lane.

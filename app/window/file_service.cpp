@@ -20,7 +20,7 @@ namespace {
 /// As the window shows it: all lanes, or one; a range that is not held is the moment's own, whether the run
 /// plays or stands.
 PictureStyle style_of(const PanelContext& context, std::vector<SheetPlot> plots) {
-    const ViewState& view = context.view;
+    const ViewSettings& view = context.view;
     PictureStyle style{.view = view.shown, .difference = view.difference};
     if (view.compare == Compare::One) style.alone = context.client.selected();
     style.map = &view.map();

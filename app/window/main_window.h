@@ -52,7 +52,7 @@ class MainWindow {
     bool was_idle_ = false;     ///< before the last frame
     double last_activity_ = 0;  ///< when something last came in or moved, seconds of the clock
     Notifications notifications_;
-    ViewState view_;
+    ViewSettings view_;
     MeasureView measure_view_;
     FileRequests files_;
     History history_;
@@ -62,7 +62,7 @@ class MainWindow {
     ViewTool view_tool_;
     SliceTool slice_tool_;
     InspectTool inspect_tool_;
-    FieldPlacement place_;
+    FieldViewports place_;
     BackgroundRects backgrounds_;
     FieldPainter painter_;
     LaneFields fields_;

@@ -25,7 +25,7 @@ struct Painted {
     Notifications notifications;
     SessionClient client{player, notifications};
     BrushTool brush;
-    FieldPlacement field{.tiles = {{0, {100, 50, 400, 400}, {100, 50, 400, 400}, 40, 40}}};
+    FieldViewports field{.tiles = {{0, {100, 50, 400, 400}, {100, 50, 400, 400}, 40, 40}}};
 
     Painted() { client.begin_frame(); }
     void event(Kind kind, double x, double y, int button = 0, int mods = 0) {

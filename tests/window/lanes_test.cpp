@@ -310,10 +310,10 @@ TEST(LanesWindow, CurvesOfAllLanesInOneView) {
 // ---- zoom, pan and wipe
 
 struct Viewed {
-    FieldPlacement place{.tiles = {{0, {100, 100, 400, 400}, {100, 100, 400, 400}, 40, 40},
+    FieldViewports place{.tiles = {{0, {100, 100, 400, 400}, {100, 100, 400, 400}, 40, 40},
                                    {1, {520, 100, 400, 400}, {520, 100, 400, 400}, 40, 40}},
                          .cells = {128, 128}};
-    ViewState view;
+    ViewSettings view;
     ViewTool tool;
 
     bool event(Kind kind, double x, double y, int code = 0, int mods = 0) {

@@ -77,7 +77,7 @@ struct LanesWindow {
     Player player;
     Notifications notifications;
     SessionClient client{player, notifications};
-    ViewState view;
+    ViewSettings view;
     MeasureView measure_view;
     FileRequests files;
     History history;
@@ -88,7 +88,7 @@ struct LanesWindow {
     EventLog log;
     BackgroundRects backgrounds;
     Layout layout{};
-    FieldPlacement place;
+    FieldViewports place;
     std::function<void(PanelContext&)> instead;  ///< of the measures
     std::function<void(PanelContext&)> over;     ///< draws what else is on screen
 

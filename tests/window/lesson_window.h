@@ -86,7 +86,7 @@ struct LessonWindow {
     Player player{{.setup = {}}, 1};
     Notifications notifications;
     SessionClient client{player, notifications};
-    ViewState view;
+    ViewSettings view;
     MeasureView measures;
     FileRequests files;
     History history;

@@ -47,7 +47,7 @@ std::string drawn(HeadlessUi& ui, const Recording& run, Look look) {
         Notifications notifications;
         notifications.warn("a notice");
         SessionClient client(player, notifications);
-        ViewState view;
+        ViewSettings view;
         view.help = look.help;
         MeasureView measure_view;
         FileRequests files;
