@@ -10,16 +10,12 @@ namespace {
 /// What a spectrum is made from: a copy.
 struct Flow {
     int id;
-    Grid grid;
-    bool periodic;
-    std::vector<std::uint8_t> solids;
+    Boundary boundary;
     FaceVelocity velocity;
 };
 
 LaneSpectrum spectrum_of(const Flow& flow, Spectrum& worker) {
-    Boundary boundary(flow.grid, flow.periodic ? Sides::of<Periodic>() : Sides::of<Box>());
-    boundary.set_solids(flow.solids);
-    worker.compute(flow.velocity, boundary);
+    worker.compute(flow.velocity, flow.boundary);
     return {
         flow.id, {worker.k().begin(), worker.k().end()}, {worker.energy().begin(), worker.energy().end()}};
 }
@@ -39,8 +35,7 @@ void Spectra::follow(const SessionSnapshot& moment, double now) {
     std::vector<Flow> flows;
     for (std::size_t k = 0; k < moment.lanes.size(); ++k) {
         const Snapshot& s = moment.lanes[k];
-        if (s.grid.dimensions() == 2)
-            flows.push_back({moment.ids[k], s.grid, s.periodic, s.solids, s.velocity});
+        if (s.grid().dimensions() == 2) flows.push_back({moment.ids[k], s.state.boundary, s.state.velocity});
     }
     while (workers_.size() < flows.size()) workers_.push_back(std::make_unique<Spectrum>());
     making_ = std::async(std::launch::async, [this, flows = std::move(flows)] {

@@ -54,7 +54,7 @@ void draw_spectrum_tab(PanelContext& context) {
     plot.log_y = true;
     plot.y_range = range_of(spectra.lanes());
     plot.empty_text =
-        moment.lanes.front().grid.dimensions() == 1 ? "a line has no spectrum" : "in the making";
+        moment.lanes.front().grid().dimensions() == 1 ? "a line has no spectrum" : "in the making";
     plot.size = {0, std::floor(std::min(ImGui::GetContentRegionAvail().y - theme.px(64), theme.px(460)))};
     plot.size.y = std::max(plot.size.y, theme.px(160));
     draw_on_card(context, plot, series);

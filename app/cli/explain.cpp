@@ -11,21 +11,9 @@
 #include "core/inspect/text.h"
 
 namespace whorl::app {
-namespace {
-
-Quantity quantity_called(const std::string& key) {
-    std::vector<std::string_view> keys;
-    for (std::size_t k = 0; k < quantities.size(); ++k) {
-        if (quantities[k].key == key) return static_cast<Quantity>(k);
-        keys.push_back(quantities[k].key);
-    }
-    throw InputError("no field is called \"" + key + "\"; " + suggestion(key, keys));
-}
-
-}  // namespace
 
 int run_explain(const ExplainArguments& arguments) {
-    const Quantity quantity = quantity_called(arguments.field);
+    const FieldId quantity = find_advected(arguments.field);
     if (arguments.cell.size() != 2) throw InputError("--cell takes two numbers, as 20,12");
     Pool pool(arguments.threads);
     Session session(recording_for(arguments.scene, arguments.lanes, arguments.set), pool);

@@ -72,7 +72,7 @@ SheetCell cell_of(const SessionSnapshot& s, std::size_t k, const LaneNames& name
     const Snapshot& lane = s.lanes[k];
     SheetCell cell;
     cell.field = fields.of(k);
-    cell.cells = {lane.grid.nx, lane.grid.ny};
+    cell.cells = {lane.grid().nx, lane.grid().ny};
     if (s.lanes.size() > 1) {
         cell.title = names.name(k);
         cell.note = names.difference(k);
@@ -80,8 +80,8 @@ SheetCell cell_of(const SessionSnapshot& s, std::size_t k, const LaneNames& name
     }
     if (lane.failure) cell.stopped = "Stopped at " + *lane.failure;
     if (cell.field == nullptr) return cell;
-    cell.solids = lane.solids;
-    cell.arrows = arrows ? &lane.velocity : nullptr;
+    cell.solids = lane.solids();
+    cell.arrows = arrows ? &lane.state.velocity : nullptr;
     return cell;
 }
 
@@ -126,7 +126,8 @@ SheetRequest sheet_of(std::span<const SessionSnapshot> rows, PictureStyle style,
     sheet.label = bar_label(*style.view) + sheet.label;
     sheet.caption = caption_of(rows);
     sheet.window = style.window;
-    if (!style.window.whole()) sheet.caption += "\n" + part_of(rows.front().lanes.front().grid, style.window);
+    if (!style.window.whole())
+        sheet.caption += "\n" + part_of(rows.front().lanes.front().grid(), style.window);
     sheet.crisp = style.crisp || style.view->of_limiters;
     sheet.light = style.light;
     sheet.scale = style.scale;

@@ -52,7 +52,7 @@ bool InspectTool::take(const InputEvent& event, const FieldViewports& place, Ses
             return true;
         case Kind::Key:
             return inspector.picked && with_shift(event) &&
-                   walk(event.code, client.snapshot().grid, inspector.node.at);
+                   walk(event.code, client.snapshot().grid(), inspector.node.at);
         default:
             return false;
     }

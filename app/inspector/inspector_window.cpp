@@ -24,16 +24,16 @@ void paragraph(ImFont* font, ImU32 colour, const std::string& words) {
 }
 
 void quantity_chips(PanelContext& context, Inspector& inspector) {
-    const float width = chip_width(static_cast<int>(quantities.size()));
-    for (std::size_t k = 0; k < quantities.size(); ++k) {
-        const auto quantity = static_cast<Quantity>(k);
-        const QuantityInfo& what = info(quantity);
+    const std::vector<FieldId> choices = advected_fields();
+    const float width = chip_width(static_cast<int>(choices.size()));
+    for (const FieldId quantity : choices) {
+        const FieldInfo& what = quantity.info();
         const std::string key = "inspector-quantity=" + std::string(what.key);
-        const bool on_face = quantity == Quantity::U || quantity == Quantity::V;
-        const std::string help = std::string(what.label) +
+        const bool on_face = what.site != Site::Centre;
+        const std::string help = std::string(what.title) +
                                  (on_face ? ", on the face nearest to the click." : ", at cell centres.");
-        if (lab_chip(context, key, {what.symbol, help, "", "", ""}, inspector.node.quantity == quantity,
-                     width, k == 0))
+        if (lab_chip(context, key, {std::string(what.symbol), help, "", "", ""},
+                     inspector.node.quantity == quantity, width, quantity == choices.front()))
             inspector.node.quantity = quantity;
     }
 }
@@ -44,8 +44,8 @@ std::string why_not(const PanelContext& context, const Inspector& inspector) {
     const Snapshot& lane = context.snapshot();
     if (lane.failure) return "The lane has stopped: its last step cannot be asked for this any more.";
     if (lane.watched != inspector.watched()) return "";  // on its way
-    if (inspector.node.quantity != Quantity::Density && !is_solved(lane))
-        return std::string(info(inspector.node.quantity).label) +
+    if (inspector.node.quantity != field::density && !is_solved(lane))
+        return std::string(inspector.node.quantity.info().title) +
                " is not moved here: the flow is given. Choose ρ.";
     if (lane.measures.step == 0) return "Nothing has moved yet. Press . for one step.";
     return "The scene was changed after the last step. Press . for one more.";
@@ -54,7 +54,7 @@ std::string why_not(const PanelContext& context, const Inspector& inspector) {
 /// The lane, the node, and what it holds.
 void head(PanelContext& context, const Explanation& e) {
     const Theme& theme = context.theme;
-    const QuantityInfo& what = info(e.quantity);
+    const FieldInfo& what = e.quantity.info();
     ImGui::PushFont(theme.title);
     text(theme.palette.text, std::string(what.symbol) + " (" + std::to_string(e.i) + ", " +
                                  std::to_string(e.j) + ") = " + written(e.result, 6));
@@ -125,7 +125,7 @@ bool button(PanelContext& context, const char* label, const char* key, float wid
 }
 
 void buttons(PanelContext& context, const Explanation& e, Inspector& inspector) {
-    const bool zooms = context.snapshot().grid.dimensions() == 2;
+    const bool zooms = context.snapshot().grid().dimensions() == 2;
     const float width = chip_width(zooms ? 2 : 1);
     if (zooms &&
         button(context, "Closer", "inspector-closer", width,
@@ -159,7 +159,7 @@ void draw_inspector_window(PanelContext& context) {
     const Explanation& e = *explanation;
     // What is shown may still be of the node that was picked before.
     if (lane.watched == inspector.node && std::exchange(inspector.goes_closer, false)) {
-        const Grid& grid = lane.grid;
+        const Grid& grid = lane.grid();
         std::vector<const Explanation*> others;
         for (const Snapshot& other : context.client.session().lanes) {
             if (other.explanation) others.push_back(&*other.explanation);
@@ -171,7 +171,7 @@ void draw_inspector_window(PanelContext& context) {
     ImGui::BeginChild("inspected");
     summary(theme, e);
     if (e.correction) step_chips(context, e, inspector);
-    draw_path_magnifier(context, e.steps[inspector.shown(e)], lane.grid.h);
+    draw_path_magnifier(context, e.steps[inspector.shown(e)], lane.grid().h);
     draw_sums(context, e, inspector);
     ImGui::EndChild();
 }

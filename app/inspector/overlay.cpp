@@ -29,7 +29,7 @@ class Drawing {
           tile_(tile),
           list_(list),
           colours_(path_colours(theme_)),
-          h_(context.client.session().lanes[tile.lane].grid.h),
+          h_(context.client.session().lanes[tile.lane].grid().h),
           cell_(static_cast<float>(h_ * tile.rect.width / tile.width /
                                    static_cast<double>(place.window.high.x - place.window.low.x))) {}
 
@@ -83,9 +83,7 @@ class Drawing {
     }
     /// The cell, or for a velocity the face, that is explained, and the one in a solid that was asked for.
     void outline(const Explanation& e) const {
-        const Site site = e.quantity == Quantity::U   ? Site::FaceX
-                          : e.quantity == Quantity::V ? Site::FaceY
-                                                      : Site::Centre;
+        const Site site = e.quantity.info().site;
         const ImVec2 middle = at(e.at);
         frame(middle, site, colours_.scheme);
         if (!e.inside()) return;

@@ -46,19 +46,19 @@ glm::ivec2 cell_at(const Grid& grid, glm::dvec2 at) {
 }
 
 bool solid(const Snapshot& lane, glm::ivec2 cell) {
-    return lane.solids[static_cast<std::size_t>(cell.y) * lane.grid.nx + cell.x] != 0;
+    return lane.solids()[static_cast<std::size_t>(cell.y) * lane.grid().nx + cell.x] != 0;
 }
 
 }  // namespace
 
 SliceCurve cells_along(const Field& field, const Snapshot& lane, const SliceLine& line) {
     SliceCurve curve;
-    const GridLine placed = place_line(line, lane.grid);
+    const GridLine placed = place_line(line, lane.grid());
     if (placed.from.x != placed.to.x && placed.from.y != placed.to.y) return curve;
     for (const Crossing& crossing : crossings(placed)) {
-        const glm::ivec2 cell = cell_at(lane.grid, crossing.at);
+        const glm::ivec2 cell = cell_at(lane.grid(), crossing.at);
         if (glm::distance(glm::dvec2(cell), crossing.at) > same_place) continue;
-        curve.x.push_back(static_cast<float>(crossing.along * lane.grid.h));
+        curve.x.push_back(static_cast<float>(crossing.along * lane.grid().h));
         curve.y.push_back(solid(lane, cell) ? NAN : static_cast<float>(field(cell.x, cell.y)));
     }
     return curve;
@@ -69,10 +69,10 @@ SliceCurve curve_along(const Field& field, const Snapshot& lane, const SliceLine
     SliceCurve curve;
     std::vector<glm::dvec2> places;
     const auto add = [&](double along, glm::dvec2 at) {
-        curve.x.push_back(static_cast<float>(along * lane.grid.h));
+        curve.x.push_back(static_cast<float>(along * lane.grid().h));
         places.push_back(at);
     };
-    const std::vector<Crossing> all = crossings(place_line(line, lane.grid));
+    const std::vector<Crossing> all = crossings(place_line(line, lane.grid()));
     add(all.front().along, all.front().at);
     for (std::size_t k = 1; k < all.size(); ++k) {
         const Crossing& a = all[k - 1];
@@ -85,23 +85,20 @@ SliceCurve curve_along(const Field& field, const Snapshot& lane, const SliceLine
         add(b.along, b.at);
     }
     curve.y.resize(places.size());
-    sample_field(field, schemes, lane.periodic, places, curve.y);
+    sample_field(field, schemes, lane.state.boundary.periodic(), places, curve.y);
     for (std::size_t k = 0; k < places.size(); ++k) {
-        if (solid(lane, cell_at(lane.grid, places[k]))) curve.y[k] = NAN;
+        if (solid(lane, cell_at(lane.grid(), places[k]))) curve.y[k] = NAN;
     }
     return curve;
 }
 
 const Field& FilledFields::of(std::size_t lane, const Snapshot& snapshot, const Field& field, long version) {
     if (lanes_.size() <= lane) lanes_.resize(lane + 1);
-    auto& [domain, filled, filled_version] = lanes_[lane];
+    auto& [filled, filled_version] = lanes_[lane];
     if (filled_version == version) return filled;
     filled_version = version;
-    if (!(domain.grid() == snapshot.grid) || domain.periodic() != snapshot.periodic)
-        domain = Boundary(snapshot.grid, snapshot.periodic ? Sides::of<Periodic>() : Sides::of<Box>());
-    if (domain.solids() != snapshot.solids) domain.set_solids(snapshot.solids);
     filled = field;
-    domain.fill(filled);
+    snapshot.state.boundary.fill(filled);
     return filled;
 }
 

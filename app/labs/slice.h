@@ -37,7 +37,6 @@ class FilledFields {
 
   private:
     struct Filled {
-        Boundary domain;
         Field field;
         long version = -1;
     };

@@ -26,7 +26,7 @@ struct TileLine {
 
 TileLine on_tile(const SliceLine& line, const SessionSnapshot& session, const FieldViewports& place,
                  const FieldTile& tile) {
-    const GridLine placed = place_line(line, session.lanes[tile.lane].grid);
+    const GridLine placed = place_line(line, session.lanes[tile.lane].grid());
     return {place.pixel(tile, placed.world(0)), place.pixel(tile, placed.world(1))};
 }
 

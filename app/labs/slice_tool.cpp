@@ -45,7 +45,7 @@ bool SliceTool::take(const InputEvent& event, const FieldViewports& place, const
     const glm::dvec2 near =
         static_cast<double>(snap_reach * point) * shown / glm::dvec2(tile->rect.width, tile->rect.height);
     lab.line = dragged(before_, lab.held, fraction(place, *tile, event.x, event.y) - began_, near,
-                       session.lanes[lane_].grid);
+                       session.lanes[lane_].grid());
     return true;
 }
 

@@ -34,7 +34,7 @@ Drawn drawn(const PanelContext& context, SliceLab& lab, std::size_t lane, const 
     const Field& filled = lab.fields.of(lane, snapshot, field, context.fields.version());
     Drawn made;
     made.curve = curve_along(filled, snapshot, lab.line, schemes,
-                             samples_per_cell(place_line(lab.line, snapshot.grid).cells()));
+                             samples_per_cell(place_line(lab.line, snapshot.grid()).cells()));
     made.cells = cells_along(field, snapshot, lab.line);
     return made;
 }
@@ -79,7 +79,7 @@ void add_exact(const PanelContext& context, SliceLab& lab, std::vector<Drawn>& a
     straight.interpolation = Interpolations::of<Linear>();
     Drawn exact{.label = "exact", .colour = context.theme.palette.text, .exact = true};
     exact.curve = curve_along(filled, selected, lab.line, straight,
-                              samples_per_cell(place_line(lab.line, selected.grid).cells()));
+                              samples_per_cell(place_line(lab.line, selected.grid()).cells()));
     all.push_back(std::move(exact));
 }
 
@@ -120,7 +120,7 @@ std::string ends_text(WorldPoint from, WorldPoint to) {
 
 void ends_readout(PanelContext& context, const SliceLab& lab) {
     const Theme& theme = context.theme;
-    const GridLine line = place_line(lab.line, context.snapshot().grid);
+    const GridLine line = place_line(lab.line, context.snapshot().grid());
     ImGui::PushFont(theme.mono);
     ImGui::AlignTextToFramePadding();
     text(theme.palette.text_dim, ends_text(line.world(0), line.world(1)));
@@ -133,7 +133,7 @@ void ends_readout(PanelContext& context, const SliceLab& lab) {
 
 void line_controls(PanelContext& context, SliceLab& lab) {
     const Theme& theme = context.theme;
-    const Grid& grid = context.snapshot().grid;
+    const Grid& grid = context.snapshot().grid();
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     const float subject = std::max(chip_width(5), theme.px(100));
     const float right = ImGui::GetContentRegionMax().x - 2 * subject - std::floor(0.5f * gap);
@@ -217,7 +217,7 @@ void draw_pointed(const Theme& theme, const Canvas& canvas, const std::vector<Dr
 
 void slice_plot(PanelContext& context, SliceLab& lab, const std::vector<Drawn>& all, float height) {
     const Theme& theme = context.theme;
-    const Grid& grid = context.snapshot().grid;
+    const Grid& grid = context.snapshot().grid();
     const bool flat = grid.dimensions() == 1;
     const std::string title = shown_quantity(context) + (flat ? "" : " along the line");
     std::vector<LegendEntry> legend;

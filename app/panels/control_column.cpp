@@ -18,11 +18,11 @@ void state_lines(PanelContext& context) {
     ImGui::TextUnformatted("Whorl");
     ImGui::PopFont();
     char line[96];
-    if (s.grid.dimensions() == 1) {
-        std::snprintf(line, sizeof line, "%d cells  ·  step %ld  ·  t = %.2f", s.grid.nx, session.step,
+    if (s.grid().dimensions() == 1) {
+        std::snprintf(line, sizeof line, "%d cells  ·  step %ld  ·  t = %.2f", s.grid().nx, session.step,
                       session.time);
     } else {
-        std::snprintf(line, sizeof line, "%d × %d  ·  step %ld  ·  t = %.2f", s.grid.nx, s.grid.ny,
+        std::snprintf(line, sizeof line, "%d × %d  ·  step %ld  ·  t = %.2f", s.grid().nx, s.grid().ny,
                       session.step, session.time);
     }
     text(palette.text_dim, line);

@@ -71,14 +71,14 @@ void draw_curve_view(PanelContext& context, ImVec2 size) {
     std::vector<std::size_t> lanes;  // of the series
     for (std::size_t k = 0; k < context.names.size(); ++k) {
         if (context.fields.of(k) == nullptr) continue;
-        curves[k] = curve_of(*context.fields.of(k), context.client.session().lanes[k].grid);
+        curves[k] = curve_of(*context.fields.of(k), context.client.session().lanes[k].grid());
         const std::string_view alone = compares ? "numerical" : view.label;
         series.push_back(series_of(curves[k], several ? context.names.name(k) : alone,
                                    theme.lane(static_cast<int>(k)), !several));
         lanes.push_back(k);
     }
     if (compares) {
-        exact = curve_of(selected.exact, selected.grid);
+        exact = curve_of(selected.exact, selected.grid());
         const ImU32 colour = several ? theme.palette.text : theme.palette.series[1];
         series.push_back(series_of(exact, "exact", colour, false));
     }
@@ -86,8 +86,8 @@ void draw_curve_view(PanelContext& context, ImVec2 size) {
     const std::string difference = context.fields.difference() ? shown_quantity(context) : std::string();
     plot.title = difference.empty() ? selected.scene.title : difference;
     plot.x_name = "x";
-    plot.x_first = 0.5 * selected.grid.h;
-    plot.x_stride = selected.grid.h;
+    plot.x_first = 0.5 * selected.grid().h;
+    plot.x_stride = selected.grid().h;
     const Range ends = context.view.range.ends();
     if (context.view.range.held()) {
         plot.y_range = Interval{static_cast<double>(ends.lo), static_cast<double>(ends.hi)};
@@ -103,7 +103,7 @@ void draw_curve_view(PanelContext& context, ImVec2 size) {
     if (!x || !inspector.open) return;
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Left))
         context.client.select(nearest(lanes, away, context.client.selected()));
-    if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) inspector.pick({*x, 0.5 * selected.grid.h});
+    if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) inspector.pick({*x, 0.5 * selected.grid().h});
 }
 
 }  // namespace whorl::app

@@ -66,7 +66,7 @@ std::vector<std::size_t> lanes_on_screen(const PanelContext& context) {
 
 /// The field of a lane as large as it gets in a place, at its centre.
 FieldTile tile_in(const PanelContext& context, std::size_t lane, const PixelRect& place) {
-    const Grid& grid = context.client.session().lanes[lane].grid;
+    const Grid& grid = context.client.session().lanes[lane].grid();
     const float high = aspect(grid) * static_cast<float>(place.width);
     FieldTile tile{lane, place, place, grid.width(), grid.height()};
     if (high > static_cast<float>(place.height) + 1) {
@@ -252,7 +252,7 @@ void draw_fields(PanelContext& context, const FieldViewports& place, const Pixel
 
 FieldShape field_shape(const SessionSnapshot& session, const ViewSettings& view) {
     const auto lanes = static_cast<int>(session.lanes.size());
-    return {session.lanes.front().grid, lanes, view.compare == Compare::SideBySide ? lanes : 1};
+    return {session.lanes.front().grid(), lanes, view.compare == Compare::SideBySide ? lanes : 1};
 }
 
 float field_width_for(const Theme& theme, const FieldShape& shape, ImVec2 room) {
@@ -279,7 +279,7 @@ FieldViewports draw_field_area(PanelContext& context) {
                     context.view.tour.under_pointer() ||
                     ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
     for (const Snapshot& lane : session.lanes)
-        place.cells = glm::max(place.cells, glm::ivec2(lane.grid.nx, lane.grid.ny));
+        place.cells = glm::max(place.cells, glm::ivec2(lane.grid().nx, lane.grid().ny));
     if (shape.grid.dimensions() == 1) {
         const PixelRect rect{static_cast<int>(corner.x), static_cast<int>(corner.y + header),
                              std::max(1, static_cast<int>(room.x)),

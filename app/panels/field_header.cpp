@@ -28,7 +28,7 @@ const char* hints(const Snapshot& s, bool inspects, float width) {
         "Drag to inject smoke  ·  right-drag to push  ·  H keys", "Drag to inject smoke  ·  H keys",
         "H keys"};
     std::span<const char* const> all = plane;
-    const bool is_flat = s.grid.dimensions() == 1;
+    const bool is_flat = s.grid().dimensions() == 1;
     if (is_flat) all = flat;
     // Curves have no zoom.
     if (inspects) all = std::span<const char* const>(inspecting).subspan(is_flat ? 2 : 0);
@@ -43,10 +43,10 @@ std::string reading(const PanelContext& context, const FieldViewports& place, co
                     ImVec2 pixel, float room) {
     const Snapshot& s = context.client.session().lanes[tile.lane];
     const WorldPoint at = place.world(tile, static_cast<double>(pixel.x), static_cast<double>(pixel.y));
-    const int i = std::clamp(static_cast<int>(at.x / s.grid.h), 0, s.grid.nx - 1);
-    const int j = std::clamp(static_cast<int>(at.y / s.grid.h), 0, s.grid.ny - 1);
+    const int i = std::clamp(static_cast<int>(at.x / s.grid().h), 0, s.grid().nx - 1);
+    const int j = std::clamp(static_cast<int>(at.y / s.grid().h), 0, s.grid().ny - 1);
     const Field& field = *context.fields.of(tile.lane);
-    const bool solid = s.solids[static_cast<std::size_t>(j) * s.grid.nx + i] != 0;
+    const bool solid = s.solids()[static_cast<std::size_t>(j) * s.grid().nx + i] != 0;
     const std::string value = solid ? "solid" : figure(static_cast<double>(field(i, j)), 4);
     char where[48], cell[48];
     std::snprintf(where, sizeof where, "(%.2f, %.2f)  ", at.x, at.y);

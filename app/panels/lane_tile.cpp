@@ -26,7 +26,7 @@ float line(ImDrawList& list, const ImFont& font, ImVec2 at, float room, ImU32 co
 
 void title_help(PanelContext& context, std::size_t lane, const std::string& key) {
     const Snapshot& s = context.client.session().lanes[lane];
-    std::string state = std::to_string(s.grid.nx) + " × " + std::to_string(s.grid.ny);
+    std::string state = std::to_string(s.grid().nx) + " × " + std::to_string(s.grid().ny);
     if (is_reference(context, lane)) state += " · the reference lane";
     state += lane == context.client.selected() ? " · selected" : " · click to select";
     const std::string stopped = s.failure ? "Stopped at " + *s.failure : std::string();

@@ -61,8 +61,7 @@ void BrushTool::send_smoke(SessionClient& client) {
     last_time_ = s.measures.time;
     SmokeStroke stroke{.along = {},
                        .radius = brush.radius,
-                       .density = brush.density,
-                       .temperature = brush.temperature,
+                       .amounts = brush.amounts,
                        .push = brush.push,
                        .smoke = mode_ == Mode::Smoke};
     if (path_.size() == 1) {

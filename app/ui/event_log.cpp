@@ -33,13 +33,13 @@ std::string number(double value) {
 /// ∫ρ over the fluid.
 double total_density(const Snapshot& s) {
     double sum = 0;
-    for (int j = 0; j < s.grid.ny; ++j) {
-        for (int i = 0; i < s.grid.nx; ++i) {
-            const bool solid = s.solids[static_cast<std::size_t>(j) * s.grid.nx + i] != 0;
-            if (!solid) sum += static_cast<double>(s.density(i, j));
+    for (int j = 0; j < s.grid().ny; ++j) {
+        for (int i = 0; i < s.grid().nx; ++i) {
+            const bool solid = s.solids()[static_cast<std::size_t>(j) * s.grid().nx + i] != 0;
+            if (!solid) sum += static_cast<double>(s.density()(i, j));
         }
     }
-    return sum * s.grid.cell();
+    return sum * s.grid().cell();
 }
 
 /// `,"total_density_1":…` and so on for every lane.
@@ -104,9 +104,9 @@ void EventLog::frame(const FrameLog& frames, double steps_per_second, bool playi
                  number(static_cast<double>(frames.work().back())).c_str(), number(steps_per_second).c_str(),
                  playing ? "true" : "false", session.run, session.step,
                  quoted(scene.scalars.advector.key()).c_str(), quoted(scene.velocity.advector.key()).c_str(),
-                 quoted(scene.scalars.interpolation.key()).c_str(), scene.scalars.zeta, s.grid.nx,
+                 quoted(scene.scalars.interpolation.key()).c_str(), scene.scalars.zeta, s.grid().nx,
                  number(s.measures.density_percent).c_str(), number(total_density(s)).c_str(),
-                 std::count(s.solids.begin(), s.solids.end(), 1), number(scene.brush.radius).c_str(),
+                 std::count(s.solids().begin(), s.solids().end(), 1), number(scene.brush.radius).c_str(),
                  session.lanes.size(), densities(session).c_str());
     std::fflush(file_);
 }

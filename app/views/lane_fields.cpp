@@ -33,16 +33,14 @@ void LaneFields::update(const SessionSnapshot& session, const View& view, bool d
 /// The reference's field on the lane's grid; null if it has none for the lane's domain.
 const Field* LaneFields::reference_on(const Snapshot& reference, const Snapshot& lane) {
     const Field* field = fields_[reference_];
-    if (field == nullptr || !same_domain(reference.grid, lane.grid)) return nullptr;
-    if (reference.grid == lane.grid) return field;
-    if (!(domain_.grid() == reference.grid) || domain_.periodic() != reference.periodic) {
-        domain_ = Boundary(reference.grid, reference.periodic ? Sides::of<Periodic>() : Sides::of<Box>());
-    }
+    if (field == nullptr || !same_domain(reference.grid(), lane.grid())) return nullptr;
+    if (reference.grid() == lane.grid()) return field;
+    const Boundary& boundary = reference.state.boundary;
     filled_ = *field;
-    domain_.fill(filled_);
-    const Field& shape = lane.density;
+    boundary.fill(filled_);
+    const Field& shape = lane.density();
     if (!averaged_.same_shape(shape)) averaged_ = shape;
-    averager_.average(filled_, domain_, lane.grid, averaged_);
+    averager_.average(filled_, boundary, lane.grid(), averaged_);
     return &averaged_;
 }
 

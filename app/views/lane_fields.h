@@ -43,7 +43,6 @@ class LaneFields {
     std::vector<Field> differences_;
     std::vector<char> shown_;  ///< whether a lane has a difference
     Field filled_, averaged_;  ///< the reference, with its ghosts; on a lane's grid
-    Boundary domain_;          ///< of the reference, without solids
     Averager averager_;
     Range span_{0, 1};
     float least_ = 0;  ///< value of a view without a middle

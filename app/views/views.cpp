@@ -18,15 +18,15 @@ float about_zero(const Snapshot&) {
 
 const Field* difference(const Snapshot& s, Field& scratch) {
     if (!s.has_exact) return nullptr;
-    if (!scratch.same_shape(s.density)) scratch = s.density;
+    if (!scratch.same_shape(s.density())) scratch = s.density();
     for (int j = 0; j < scratch.height(); ++j) {
-        for (int i = 0; i < scratch.width(); ++i) scratch(i, j) = s.density(i, j) - s.exact(i, j);
+        for (int i = 0; i < scratch.width(); ++i) scratch(i, j) = s.density()(i, j) - s.exact(i, j);
     }
     return &scratch;
 }
 
 const Field* zeros(const Snapshot& s, Field& scratch) {
-    if (!scratch.same_shape(s.density)) scratch = s.density;
+    if (!scratch.same_shape(s.density())) scratch = s.density();
     scratch.set_all(0);
     return &scratch;
 }
@@ -42,16 +42,16 @@ const Field* limited_velocity(const Snapshot& s, Field& scratch) {
 
 constexpr View table[] = {
     {"density", "Smoke density", "ρ", "How much smoke there is.", "magma",
-     [](const Snapshot& s, Field&) { return &s.density; }, nullptr},
+     [](const Snapshot& s, Field&) { return &s.density(); }, nullptr},
     {"temperature", "Temperature", "degrees", "Cold is blue, warm is red, still air is in the middle.",
-     "blue-red", [](const Snapshot& s, Field&) { return &s.temperature; },
+     "blue-red", [](const Snapshot& s, Field&) { return &s.state.temperature(); },
      [](const Snapshot& s) { return static_cast<float>(s.scene.ambient); }},
     {"speed", "Speed", "length/time", "|u| at cell centres.", "viridis",
      [](const Snapshot& s, Field&) { return &s.speed; }, nullptr},
     {"vorticity", "Vorticity", "1/time", "ω = ∂v/∂x − ∂u/∂y: red turns to the left, blue to the right.",
      "blue-dark-red", [](const Snapshot& s, Field&) { return &s.vorticity; }, about_zero},
     {"pressure", "Pressure", "p", "Of the last projection.", "blue-dark-red",
-     [](const Snapshot& s, Field&) { return &s.pressure; }, about_zero},
+     [](const Snapshot& s, Field&) { return &s.state.pressure; }, about_zero},
     {"divergence", "Divergence", "1/time", "∇·u at the step's end: what the next projection takes away.",
      "blue-dark-red", [](const Snapshot& s, Field&) { return &s.divergence; }, about_zero},
     {"exact", "Exact solution", "ρ", "What the density would be without any error.", "magma",
@@ -85,7 +85,7 @@ Range View::extent(const Snapshot& snapshot, const Field& values) const {
     Range span{from, from};
     for (int j = 0; j < values.height(); ++j) {
         for (int i = 0; i < values.width(); ++i) {
-            if (snapshot.solids[static_cast<std::size_t>(j) * values.width() + i] != 0) continue;
+            if (snapshot.solids()[static_cast<std::size_t>(j) * values.width() + i] != 0) continue;
             const float value = static_cast<float>(values(i, j));
             span = {std::min(span.lo, value), std::max(span.hi, value)};
         }
@@ -136,7 +136,7 @@ std::string describe(const Scene& scene) {
 }
 
 std::string caption(const Snapshot& s) {
-    return describe(s.scene) + "\n" + std::to_string(s.grid.nx) + " × " + std::to_string(s.grid.ny) +
+    return describe(s.scene) + "\n" + std::to_string(s.grid().nx) + " × " + std::to_string(s.grid().ny) +
            " · Δt = " + figure(s.scene.dt) + " · step " + std::to_string(s.measures.step) +
            " · t = " + figure(s.measures.time);
 }

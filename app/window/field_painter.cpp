@@ -34,9 +34,9 @@ void FieldPainter::upload(const Snapshot& snapshot, const LaneFields& fields, st
     if (part.version == fields.version()) return;
     part.version = fields.version();
     part.texture.upload(*fields.of(lane));
-    if (part.mask == snapshot.solids) return;
-    part.mask = snapshot.solids;
-    part.solids.upload(part.mask, snapshot.grid.nx, snapshot.grid.ny);
+    if (part.mask == snapshot.solids()) return;
+    part.mask = snapshot.solids();
+    part.solids.upload(part.mask, snapshot.grid().nx, snapshot.grid().ny);
 }
 
 void FieldPainter::draw(const SessionSnapshot& session, const LaneFields& fields, const ViewSettings& view,
@@ -52,7 +52,7 @@ void FieldPainter::draw(const SessionSnapshot& session, const LaneFields& fields
         draw.hi = view.range.ends().hi;
         draw.crisp = view.crisp || fields.view().of_limiters;
         draw.window = place.window;
-        draw.cells = {session.lanes[tile.lane].grid.nx, session.lanes[tile.lane].grid.ny};
+        draw.cells = {session.lanes[tile.lane].grid().nx, session.lanes[tile.lane].grid().ny};
         return draw;
     };
     // One scale for the arrows of all lanes.
@@ -60,7 +60,8 @@ void FieldPainter::draw(const SessionSnapshot& session, const LaneFields& fields
     for (const FieldTile& tile : place.tiles) {
         const Snapshot& s = session.lanes[tile.lane];
         if (view.arrows)
-            fastest = std::max(fastest, arrows_.fastest(s.velocity, drawing(tile), {.solids = s.solids}));
+            fastest =
+                std::max(fastest, arrows_.fastest(s.state.velocity, drawing(tile), {.solids = s.solids()}));
     }
     for (const FieldTile& tile : place.tiles) {
         if (fields.of(tile.lane) == nullptr) continue;
@@ -71,7 +72,7 @@ void FieldPainter::draw(const SessionSnapshot& session, const LaneFields& fields
         const FieldDraw draw = drawing(tile);
         field_view_.draw(part.texture, map, draw);
         if (!part.solids.empty()) part.solids.draw(map, draw);
-        if (view.arrows) arrows_.draw(s.velocity, draw, {.full_speed = fastest, .solids = s.solids});
+        if (view.arrows) arrows_.draw(s.state.velocity, draw, {.full_speed = fastest, .solids = s.solids()});
     }
 }
 

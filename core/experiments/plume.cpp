@@ -18,8 +18,7 @@ Experiment plume() {
                                    .y = 1,
                                    .width = 4,
                                    .height = 2,
-                                   .density = 0.5,
-                                   .temperature = 50,
+                                   .amounts = {{field::density, 0.5}, {field::temperature, 50}},
                                    .from = 0,
                                    .until = 10}};
                 },

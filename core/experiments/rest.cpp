@@ -10,7 +10,7 @@ Experiment rest() {
             .setup = thesis_test,
             .start =
                 [](State& s) {
-                    write_annulus(s.grid(), {20, 30}, s.density);
+                    write_annulus(s.grid(), {20, 30}, s.density());
                 },
             .flow = [](double, const Grid&, FaceVelocity& velocity) { write_uniform_flow(0, 0, velocity); },
             .exact =

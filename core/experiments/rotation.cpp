@@ -38,7 +38,7 @@ Experiment rotation() {
     return {.info = {"rotation", "Vortex in a box", "thesis sec. 5.1, eq. 5.1",
                      "A vortex stirs an annulus and turns back: exact at steps 600 and 1200."},
             .setup = thesis_test,
-            .start = [](State& s) { write_annulus(s.grid(), centre, s.density); },
+            .start = [](State& s) { write_annulus(s.grid(), centre, s.density()); },
             .flow = flow,
             .exact = exact,
             .known = "every 10 units of time: steps 600, 1200 … of Δt = 1/60"};

@@ -23,7 +23,7 @@ void start(State& state) {
     write_samples(state.velocity.v, grid, [&](WorldPoint at) {
         return speed * kick * std::sin(2 * std::numbers::pi * at.x / grid.width());
     });
-    write_samples(state.density, grid,
+    write_samples(state.density(), grid,
                   [&](WorldPoint at) { return 0.5 + 0.5 * layers(at.y / grid.height()); });
 }
 

@@ -32,7 +32,7 @@ void start(State& state) {
     write_samples(state.velocity.v, grid, [&](WorldPoint at) {
         return -scale * (psi({at.x + half, at.y}, grid) - psi({at.x - half, at.y}, grid));
     });
-    write_smoke(grid, state.density);
+    write_smoke(grid, state.density());
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ Experiment translation() {
             .setup = thesis_test,
             .start =
                 [](State& s) {
-                    write_annulus(s.grid(), {10, 10}, s.density);
+                    write_annulus(s.grid(), {10, 10}, s.density());
                 },
             .flow = [](double, const Grid&, FaceVelocity& velocity) { write_uniform_flow(1, 1, velocity); },
             .exact =

@@ -14,7 +14,7 @@ Experiment translation_1d() {
                 },
             .start =
                 [](State& s) {
-                    write_annulus(s.grid(), {10, 0}, s.density);
+                    write_annulus(s.grid(), {10, 0}, s.density());
                 },
             .flow = [](double, const Grid&, FaceVelocity& velocity) { write_uniform_flow(1, 0, velocity); },
             .exact =

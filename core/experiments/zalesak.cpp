@@ -47,7 +47,7 @@ Experiment zalesak() {
                     s.sides = Sides::of<Box>();
                     s.steps = 1200;
                 },
-            .start = [](State& s) { write_disk(s.grid(), s.density); },
+            .start = [](State& s) { write_disk(s.grid(), s.density()); },
             .flow = flow,
             .exact = exact,
             .known = "every 20 units of time: steps 1200, 2400 … of Δt = 1/60"};

@@ -48,23 +48,33 @@ void drag(Field& field, const State& state, const SmokeStroke& stroke, double ve
     });
 }
 
+void bring(FieldId id, State& state, const SmokeStroke& stroke) {
+    Field& field = state[id];
+    const double amount = stroke.amounts[id];
+    const bool raises = id.info().source->stroke == Source::Stroke::Raise;
+    double change = 0;
+    for_samples(field, state.grid(), stroke.along, stroke.radius, [&](int i, int j, double share) {
+        if (state.boundary.solid(i, j)) return;
+        const Real value = field(i, j);
+        const double before = static_cast<double>(value);
+        if (raises) {
+            const double after = std::max(before, amount * share);
+            change += after - before;
+            field(i, j) = static_cast<Real>(after);
+        } else {
+            const Real step = static_cast<Real>(share * (amount - before));
+            change += static_cast<double>(step);
+            field(i, j) = value + step;
+        }
+    });
+    if (id.info().counted) state.injected[scalar_index(id)] += change * state.grid().cell();
+}
+
 }  // namespace
 
 void apply(const SmokeStroke& stroke, State& state) {
     if (stroke.smoke) {
-        double change = 0;
-        for_samples(
-            state.density, state.grid(), stroke.along, stroke.radius, [&](int i, int j, double share) {
-                if (state.boundary.solid(i, j)) return;
-                const double before = static_cast<double>(state.density(i, j));
-                const double after = std::max(before, stroke.density * share);
-                change += after - before;
-                state.density(i, j) = static_cast<Real>(after);
-                Real& temperature = state.temperature(i, j);
-                temperature +=
-                    static_cast<Real>(share * (stroke.temperature - static_cast<double>(temperature)));
-            });
-        state.put_in += change * state.grid().cell();
+        for_sources([&](FieldId id) { bring(id, state, stroke); });
     }
     if (stroke.push > 0 && (stroke.velocity_x != 0 || stroke.velocity_y != 0)) {
         drag(state.velocity.u, state, stroke, stroke.velocity_x);
@@ -74,24 +84,25 @@ void apply(const SmokeStroke& stroke, State& state) {
     state.fill_ghosts();
 }
 
-void apply(const ObstacleStroke& stroke, State& state, double ambient) {
+void apply(const ObstacleStroke& stroke, State& state, const Scene& scene) {
     const Grid& grid = state.grid();
     std::vector<std::uint8_t> mask = state.boundary.solids();
-    const double before = total(state.density, state.boundary);
+    const std::vector<double> before = totals(state);
     // Half a cell is the least brush that always meets a centre.
     const double radius = std::max(stroke.radius, 0.75 * grid.h);
-    for_samples(state.density, grid, stroke.along, radius, [&](int i, int j, double) {
+    for_samples(state.density(), grid, stroke.along, radius, [&](int i, int j, double) {
         std::uint8_t& cell = mask[static_cast<std::size_t>(j) * grid.nx + i];
         if (cell != 0 && !stroke.solid) {
-            state.density(i, j) = 0;
-            state.temperature(i, j) = static_cast<Real>(ambient);
+            for (std::size_t k = 0; k < state.scalars.size(); ++k)
+                state.scalars[k](i, j) = ambient_value(scalar(k), scene);
         }
         cell = stroke.solid ? 1 : 0;
     });
     state.boundary.set_solids(std::move(mask));
     state.boundary.enforce(state.velocity);
     state.fill_ghosts();
-    state.put_in += total(state.density, state.boundary) - before;
+    const std::vector<double> after = totals(state);
+    for (std::size_t k = 0; k < after.size(); ++k) state.injected[k] += after[k] - before[k];
 }
 
 }  // namespace whorl

@@ -12,13 +12,12 @@ struct Segment {
     bool operator==(const Segment&) const = default;
 };
 
-/// Brings ρ and T up to the brush's values and drags the fluid along: everything fades from the segment's
-/// line to `radius`. Counts the change of ∫ρ as put in.
+/// Brings scalars to the stroke's amounts, each as its Source says, and drags the fluid along: everything
+/// fades from the segment's line to `radius`. Counts the change of totals as injected.
 struct SmokeStroke {
     Segment along;
-    double radius = 2;                      ///< length
-    double density = 0;                     ///< ρ; smoke that is denser stays
-    double temperature = 0;                 ///< T
+    double radius = 2;  ///< length
+    Amounts amounts{};
     double push = 0;                        ///< share of `velocity` that the fluid takes
     double velocity_x = 0, velocity_y = 0;  ///< of the mouse, length/time
     bool smoke = true;                      ///< false only pushes
@@ -26,14 +25,14 @@ struct SmokeStroke {
 };
 void apply(const SmokeStroke& stroke, State& state);
 
-/// Makes the cells near a segment solid, or fluid again. Smoke in new solid cells counts as taken out; new
-/// fluid cells hold still air.
+/// Makes the cells near a segment solid, or fluid again. What scalars lose in new solid cells counts as
+/// taken out; new fluid cells hold still air.
 struct ObstacleStroke {
     Segment along;
     double radius = 2;  ///< length
     bool solid = true;
     bool operator==(const ObstacleStroke&) const = default;
 };
-void apply(const ObstacleStroke& stroke, State& state, double ambient);
+void apply(const ObstacleStroke& stroke, State& state, const Scene& scene);
 
 }  // namespace whorl

@@ -10,10 +10,10 @@ void add_buoyancy(State& state, double alpha, double beta, double ambient, doubl
     Field& v = state.velocity.v;
     pool.bands(v.height(), [&](int first, int last) {
         for (int j = first; j < last; ++j) {
-            const Real* density_above = state.density.row(j);
-            const Real* density_below = state.density.row(j - 1);
-            const Real* warmth_above = state.temperature.row(j);
-            const Real* warmth_below = state.temperature.row(j - 1);
+            const Real* density_above = state.density().row(j);
+            const Real* density_below = state.density().row(j - 1);
+            const Real* warmth_above = state.temperature().row(j);
+            const Real* warmth_below = state.temperature().row(j - 1);
             Real* to = v.row(j);
             for (int i = 0; i < v.width(); ++i) {
                 to[i] += weight * (density_below[i] + density_above[i]) +

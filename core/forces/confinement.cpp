@@ -8,7 +8,7 @@ namespace whorl {
 
 void Confinement::add(State& state, double epsilon, double dt, Pool& pool) {
     if (epsilon == 0) return;
-    if (!vorticity_.same_shape(state.density)) {
+    if (!vorticity_.same_shape(state.density())) {
         for (Field* field : {&vorticity_, &force_x_, &force_y_}) *field = state.boundary.field(Site::Centre);
     }
     vorticity(state.velocity, state.boundary, vorticity_, pool);

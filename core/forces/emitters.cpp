@@ -23,21 +23,24 @@ void apply_emitters(State& state, std::span<const Emitter> emitters, double dt) 
         const int i1 = first(emitter.x + emitter.width / 2, grid.nx);
         const int j0 = first(emitter.y - emitter.height / 2, grid.ny);
         const int j1 = first(emitter.y + emitter.height / 2, grid.ny);
-        double change = 0;
-        for (int j = j0; j < j1; ++j) {
-            for (int i = i0; i < i1; ++i) {
-                if (state.boundary.solid(i, j)) continue;
-                change += emitter.density - static_cast<double>(state.density(i, j));
-                state.density(i, j) = static_cast<Real>(emitter.density);
-                state.temperature(i, j) = static_cast<Real>(emitter.temperature);
+        for (std::size_t k = 0; k < state.scalars.size(); ++k) {
+            const FieldInfo& info = scalar(k).info();
+            if (!info.source) continue;
+            Field& field = state.scalars[k];
+            const double amount = emitter.amounts[scalar(k)];
+            double change = 0;
+            for (int j = j0; j < j1; ++j) {
+                for (int i = i0; i < i1; ++i) {
+                    if (state.boundary.solid(i, j)) continue;
+                    change += amount - static_cast<double>(field(i, j));
+                    field(i, j) = static_cast<Real>(amount);
+                }
             }
+            if (info.counted) state.injected[k] += change * grid.cell();
         }
-        state.put_in += change * grid.cell();
     }
-    if (changed) {
-        state.boundary.fill(state.density);
-        state.boundary.fill(state.temperature);
-    }
+    if (!changed) return;
+    for (Field& field : state.scalars) state.boundary.fill(field);
 }
 
 }  // namespace whorl

@@ -1,4 +1,4 @@
-// Emitters: places that hold smoke and heat while they are open.
+// Emitters: places that hold scalars at their amounts while they are open.
 #pragma once
 
 #include <span>
@@ -11,8 +11,8 @@ namespace whorl {
 /// whole steps opens for just as many.
 bool is_open(const Emitter& emitter, double time, double dt);
 
-/// Sets ρ and T in the fluid cells whose centres lie in open emitters; counts the change of ∫ρ as put in.
-/// On return the ghosts of ρ and T are filled.
+/// Sets scalars in the fluid cells whose centres lie in open emitters; counts the change of totals as
+/// injected. On return the ghosts of scalars are filled.
 void apply_emitters(State& state, std::span<const Emitter> emitters, double dt);
 
 }  // namespace whorl

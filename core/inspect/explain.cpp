@@ -15,10 +15,10 @@ namespace {
 /// The explanation of a node that walls leave alone.
 class Explainer {
   public:
-    Explainer(const LastAdvection& last, Quantity quantity, Pool& pool, Explanation& out)
+    Explainer(const LastAdvection& last, FieldId quantity, Pool& pool, Explanation& out)
         : last_(last),
           schemes_(last.setup.schemes(quantity)),
-          q_{last.from(quantity), std::string(info(quantity).symbol)},
+          q_{last.from(quantity), std::string(quantity.info().symbol)},
           stepper_(schemes_, last),
           pool_(pool),
           out_(out) {}
@@ -126,9 +126,9 @@ bool Explanation::limited() const {
     return acted(sum);
 }
 
-Explanation explain(const LastAdvection& last, Quantity quantity, int i, int j, Pool& pool) {
+Explanation explain(const LastAdvection& last, FieldId quantity, int i, int j, Pool& pool) {
     const Field* q = last.from(quantity);
-    const std::string key(info(quantity).key);
+    const std::string key(quantity.info().key);
     if (q == nullptr)
         throw InputError(key + " is not advected here: the flow is prescribed; ask for density");
     if (i < 0 || j < 0 || i >= q->width() || j >= q->height()) {

@@ -10,6 +10,6 @@ namespace whorl {
 /// field once more, on the pool. The calling thread then treats denormal numbers as 0, as those that step do.
 /// @param i, j of the quantity's field, from 0
 /// @throws InputError if the quantity is not moved or has no such node
-Explanation explain(const LastAdvection& last, Quantity quantity, int i, int j, Pool& pool);
+Explanation explain(const LastAdvection& last, FieldId quantity, int i, int j, Pool& pool);
 
 }  // namespace whorl

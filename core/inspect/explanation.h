@@ -115,7 +115,7 @@ struct Correction {
 };
 
 struct Explanation {
-    Quantity quantity{};
+    FieldId quantity{};
     int i = 0, j = 0;  ///< of the node that was asked for
     /// Of the node that is explained: the same, or for one in a solid the nearest that fluid touches, whose
     /// value it takes.

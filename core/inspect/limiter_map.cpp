@@ -84,7 +84,7 @@ class Marker {
 
 }  // namespace
 
-int limiter_map(const LastAdvection& last, Quantity quantity, Pool& pool, Field& marks) {
+int limiter_map(const LastAdvection& last, FieldId quantity, Pool& pool, Field& marks) {
     const Field* q = last.from(quantity);
     if (q == nullptr) {
         marks.set_all(0);

@@ -11,6 +11,6 @@ namespace whorl {
 /// and without: some two to seven advections of the field.
 /// @param marks gets the shape of the quantity's field
 /// @return how many are marked; 0 and no mark where the quantity is not moved
-int limiter_map(const LastAdvection& last, Quantity quantity, Pool& pool, Field& marks);
+int limiter_map(const LastAdvection& last, FieldId quantity, Pool& pool, Field& marks);
 
 }  // namespace whorl

@@ -34,8 +34,8 @@ class Writer {
     std::string text;
 
     void write(const Explanation& e) {
-        const QuantityInfo& what = info(e.quantity);
-        line(0, std::string(what.label) + " at " + node(e.i, e.j) + ": " + number(e.result));
+        const FieldInfo& what = e.quantity.info();
+        line(0, std::string(what.title) + " at " + node(e.i, e.j) + ": " + number(e.result));
         if (e.inside()) {
             line(1, "in a wall; holds the value of the nearest node that fluid touches, " +
                         node(e.of_i, e.of_j) + ", explained here");

@@ -17,6 +17,12 @@ void append(std::string& line, double value) {
     line += ' ' + shortest(value);
 }
 
+/// The amount of a scalar beside smoke and heat, which have places of their own.
+void append(std::string& line, FieldId id, double amount) {
+    if (id == field::density || id == field::temperature || amount == 0) return;
+    line += ' ' + std::string(id.info().key) + '=' + shortest(amount);
+}
+
 void append(std::string& line, const Segment& s) {
     for (const double value : {s.x0, s.y0, s.x1, s.y1}) append(line, value);
 }
@@ -67,10 +73,31 @@ class Words {
     std::string_view rest_;
 };
 
+/// A scalar that is given as key=value.
+FieldId find_source(std::string_view key) {
+    std::vector<std::string_view> keys;
+    std::optional<FieldId> found;
+    for_sources([&](FieldId id) {
+        if (id == field::density || id == field::temperature) return;
+        if (id.info().key == key) found = id;
+        keys.push_back(id.info().key);
+    });
+    if (!found && keys.empty()) throw InputError("\"" + Words::shown(key) + "\" is too much");
+    if (!found)
+        throw InputError("no scalar is called \"" + Words::shown(key) + "\"; " + suggestion(key, keys));
+    return *found;
+}
+
 SmokeStroke read_smoke(Words& words, bool smoke) {
     SmokeStroke s{.along = words.segment(), .radius = words.radius(), .smoke = smoke};
-    for (double* value : {&s.density, &s.temperature, &s.push, &s.velocity_x, &s.velocity_y})
+    for (double* value : {&s.amounts.at(field::density), &s.amounts.at(field::temperature), &s.push,
+                          &s.velocity_x, &s.velocity_y})
         *value = words.number<double>();
+    for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
+        const std::size_t equals = std::min(word.find('='), word.size());
+        const FieldId id = find_source(word.substr(0, equals));
+        s.amounts.set(id, Words(word.substr(std::min(equals + 1, word.size()))).number<double>());
+    }
     return s;
 }
 
@@ -116,8 +143,10 @@ std::string write_commands(std::span<const Stamped> commands, std::vector<Arrang
                     text += c.smoke ? "smoke" : "push";
                     append(text, c.along);
                     for (const double value :
-                         {c.radius, c.density, c.temperature, c.push, c.velocity_x, c.velocity_y})
+                         {c.radius, c.amounts[field::density], c.amounts[field::temperature], c.push,
+                          c.velocity_x, c.velocity_y})
                         append(text, value);
+                    for_sources([&](FieldId id) { append(text, id, c.amounts[id]); });
                 } else if constexpr (std::is_same_v<C, ObstacleStroke>) {
                     text += c.solid ? "build" : "erase";
                     append(text, c.along);

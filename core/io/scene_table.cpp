@@ -23,11 +23,14 @@ TomlReader::Key number(const TomlReader& reader, std::string_view key, double& v
 
 Emitter read_emitter(const TomlReader& reader, const toml::table& table) {
     Emitter e;
-    reader.keys(table,
-                {number(reader, "x", e.x), number(reader, "y", e.y), number(reader, "width", e.width),
-                 number(reader, "height", e.height), number(reader, "density", e.density),
-                 number(reader, "temperature", e.temperature), number(reader, "from", e.from, unlimited),
-                 number(reader, "until", e.until, unlimited)});
+    std::vector<TomlReader::Key> keys{number(reader, "x", e.x),
+                                      number(reader, "y", e.y),
+                                      number(reader, "width", e.width),
+                                      number(reader, "height", e.height),
+                                      number(reader, "from", e.from, unlimited),
+                                      number(reader, "until", e.until, unlimited)};
+    for_sources([&](FieldId id) { keys.push_back(number(reader, id.info().key, e.amounts.at(id))); });
+    reader.keys(table, keys);
     if (e.width <= 0 || e.height <= 0)
         reader.fail(table.source(), "an emitter's width and height are more than 0");
     return e;
@@ -116,8 +119,9 @@ void write_scene_table(const Scene& scene, std::ostream& out) {
     out.precision(17);
     for (const Emitter& e : scene.emitters) {
         out << "\n[[emitter]]\nx = " << e.x << "\ny = " << e.y << "\nwidth = " << e.width
-            << "\nheight = " << e.height << "\ndensity = " << e.density << "\ntemperature = " << e.temperature
-            << "\nfrom = " << e.from << "\nuntil = " << e.until << "\n";
+            << "\nheight = " << e.height;
+        for_sources([&](FieldId id) { out << '\n' << id.info().key << " = " << e.amounts[id]; });
+        out << "\nfrom = " << e.from << "\nuntil = " << e.until << "\n";
     }
     for (const Obstacle& o : scene.obstacles) {
         out << "\n[[obstacle]]\nx = " << o.x << "\ny = " << o.y << "\n";

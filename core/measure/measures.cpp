@@ -73,7 +73,7 @@ void Meter::measure(const State& state, const FlowSums& flow, double dt, Pool& p
             const std::uint8_t* solid = boundary.solids().data() + static_cast<std::ptrdiff_t>(j) * grid.nx;
             const bool clear =
                 !boundary.has_solids() || std::all_of(solid, solid + grid.nx, std::logical_not{});
-            const CellRow cells{state.density.row(j), state.temperature.row(j), state.velocity.u.row(j),
+            const CellRow cells{state.density().row(j), state.temperature().row(j), state.velocity.u.row(j),
                                 state.velocity.v.row(j), state.velocity.v.row(j + 1)};
             int i = clear ? add_vectors(cells, grid.nx, rows_[j]) : 0;
             for (; i < grid.nx; ++i) {
@@ -91,10 +91,12 @@ void Meter::measure(const State& state, const FlowSums& flow, double dt, Pool& p
     }
     finite_ = std::isfinite(sum.density) && std::isfinite(sum.heat) && std::isfinite(flow.kinetic_energy) &&
               std::isfinite(flow.enstrophy);
+    for (std::size_t k = 2; k < state.scalars.size(); ++k)
+        finite_ = finite_ && std::isfinite(total(state.scalars[k], boundary));
     out.step = state.step;
     out.time = state.time;
-    out.density_percent = state.put_in > 0 ? 100 * sum.density * grid.cell() / state.put_in
-                                           : std::numeric_limits<double>::quiet_NaN();
+    out.density_percent = state.injected[0] > 0 ? 100 * sum.density * grid.cell() / state.injected[0]
+                                                : std::numeric_limits<double>::quiet_NaN();
     out.kinetic_energy = flow.kinetic_energy;
     out.enstrophy = flow.enstrophy;
     out.min_density = boundary.fluid_cells() > 0 ? sum.min : 0;
@@ -103,20 +105,17 @@ void Meter::measure(const State& state, const FlowSums& flow, double dt, Pool& p
 }
 
 std::string not_finite(const State& state) {
-    const std::pair<const char*, const Field*> fields[] = {{"density", &state.density},
-                                                           {"temperature", &state.temperature},
-                                                           {"velocity u", &state.velocity.u},
-                                                           {"velocity v", &state.velocity.v},
-                                                           {"pressure", &state.pressure}};
-    for (const auto& [name, field] : fields) {
-        for (int j = 0; j < field->height(); ++j) {
-            for (int i = 0; i < field->width(); ++i) {
-                if (std::isfinite((*field)(i, j))) continue;
-                return std::string(name) + " at (" + std::to_string(i) + ", " + std::to_string(j) + ")";
+    std::string first;
+    for_each_field(state, [&](FieldId id, const Field& field) {
+        for (int j = 0; j < field.height() && first.empty(); ++j) {
+            for (int i = 0; i < field.width() && first.empty(); ++i) {
+                if (!std::isfinite(field(i, j)))
+                    first = std::string(id.info().title) + " at (" + std::to_string(i) + ", " +
+                            std::to_string(j) + ")";
             }
         }
-    }
-    return {};
+    });
+    return first;
 }
 
 double effective_viscosity(double energy_change, double enstrophy, double dt) {

@@ -6,9 +6,7 @@
 namespace whorl {
 
 void Digest::add(const State& state) {
-    for (const Field* f :
-         {&state.density, &state.temperature, &state.velocity.u, &state.velocity.v, &state.pressure})
-        add(*f);
+    for_each_field(state, [this](FieldId, const Field& field) { add(field); });
     add(state.boundary.solids());
     add(state.step, state.time);
 }

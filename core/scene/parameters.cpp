@@ -221,11 +221,15 @@ void add_brush(Table& t) {
     t.push_back(
         value_row({"brush.radius", "Radius", "length", "Radius of the brush; the wheel sets it too.", ""},
                   Group::Brush, {0.1, 100, 0.5, 10}, [](Scene& s) -> double& { return s.brush.radius; }));
-    t.push_back(value_row({"brush.density", "Density", "", "Density that a stroke brings smoke up to.", ""},
-                          Group::Brush, {0, 100, 0, 1}, [](Scene& s) -> double& { return s.brush.density; }));
-    t.push_back(value_row(
-        {"brush.temperature", "Temperature", "degrees", "Temperature that a stroke brings smoke up to.", ""},
-        Group::Brush, {-1000, 1000, -50, 100}, [](Scene& s) -> double& { return s.brush.temperature; }));
+    for_sources([&](FieldId id) {
+        const Source& source = *id.info().source;
+        const std::string title(id.info().title);
+        t.push_back(value_row({"brush." + std::string(id.info().key), title, std::string(id.info().unit),
+                               title + " that a stroke brings smoke up to.", ""},
+                              Group::Brush,
+                              {source.least, source.most, source.slider_least, source.slider_most},
+                              [id](Scene& s) -> double& { return s.brush.amounts.at(id); }));
+    });
     t.push_back(
         value_row({"brush.push", "Push", "", "Share of the mouse's velocity that the fluid takes.", ""},
                   Group::Brush, {0, 10, 0, 2}, [](Scene& s) -> double& { return s.brush.push; }));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/grid/boundary.h"
+#include "core/scene/field_list.h"
 #include "core/schemes/registry.h"
 
 namespace whorl {
@@ -23,12 +24,11 @@ struct SmokeOrder {
 };
 using StepOrders = SchemeList<ThesisOrder, SmokeOrder>;
 
-/// A rectangle that holds smoke of a density and a temperature in a window of time.
+/// A rectangle that holds scalars at their amounts in a window of time.
 struct Emitter {
     double x = 20, y = 1;                                    ///< centre, length
     double width = 4, height = 2;                            ///< length
-    double density = 0.5;                                    ///< ρ held inside
-    double temperature = 50;                                 ///< T held inside
+    Amounts amounts = emitter_amounts();                     ///< held inside
     double from = 0;                                         ///< time at which it opens
     double until = std::numeric_limits<double>::infinity();  ///< time at which it shuts
     bool operator==(const Emitter&) const = default;
@@ -44,10 +44,9 @@ struct Obstacle {
 
 /// What a drag of the mouse does to the fluid.
 struct Brush {
-    double radius = 2;        ///< length
-    double density = 0.5;     ///< ρ that a stroke brings smoke up to
-    double temperature = 30;  ///< T that a stroke brings smoke up to
-    double push = 1;          ///< share of the mouse's velocity that the fluid takes
+    double radius = 2;                  ///< length
+    Amounts amounts = brush_amounts();  ///< that a stroke brings the fluid to
+    double push = 1;                    ///< share of the mouse's velocity that the fluid takes
     bool operator==(const Brush&) const = default;
 };
 

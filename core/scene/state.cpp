@@ -29,10 +29,11 @@ std::vector<std::uint8_t> solids_of(const Scene& scene, const Grid& grid) {
 State still_air(const Scene& scene) {
     State state;
     state.boundary = Boundary(scene.grid(), scene.sides);
-    state.velocity = state.boundary.velocity();
-    state.density = state.boundary.field(Site::Centre);
-    state.temperature = state.boundary.field(Site::Centre, static_cast<Real>(scene.ambient));
-    state.pressure = state.boundary.field(Site::Centre);
+    state.scalars.resize(scalar_count());
+    state.injected.assign(scalar_count(), 0.0);
+    for_each_field(state, [&](FieldId id, Field& field) {
+        field = state.boundary.field(id.info().site, ambient_value(id, scene));
+    });
     return state;
 }
 
@@ -41,6 +42,26 @@ void resample_field(const Field& from, const Boundary& boundary, Field& to, cons
 }
 
 }  // namespace
+
+Field& Fields::operator[](FieldId id) {
+    if (id == field::u) return velocity.u;
+    if (id == field::v) return velocity.v;
+    if (id == field::pressure) return pressure;
+    return scalars[scalar_index(id)];
+}
+
+Real ambient_value(FieldId id, const Scene& scene) {
+    const auto ambient = id.info().ambient;
+    return ambient == nullptr ? Real(0) : static_cast<Real>(ambient(scene));
+}
+
+std::vector<double> totals(const State& state) {
+    std::vector<double> all(state.scalars.size(), 0.0);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        if (scalar(k).info().counted) all[k] = total(state.scalars[k], state.boundary);
+    }
+    return all;
+}
 
 Boundary boundary_of(const Scene& scene) {
     Boundary boundary(scene.grid(), scene.sides);
@@ -100,16 +121,14 @@ State resample(const State& from, const Scene& scene) {
         }
     }
     to.boundary.set_solids(std::move(mask));
-    resample_field(from.density, from.boundary, to.density, grid);
-    resample_field(from.temperature, from.boundary, to.temperature, grid);
-    resample_field(from.pressure, from.boundary, to.pressure, grid);
-    resample_field(from.velocity.u, from.boundary, to.velocity.u, grid);
-    resample_field(from.velocity.v, from.boundary, to.velocity.v, grid);
+    for_each_field(to,
+                   [&](FieldId id, Field& field) { resample_field(from[id], from.boundary, field, grid); });
     to.boundary.enforce(to.velocity);
     to.fill_ghosts();
     to.step = from.step;
     to.time = from.time;
-    to.put_in = from.put_in + total(to.density, to.boundary) - total(from.density, from.boundary);
+    const std::vector<double> before = totals(from), after = totals(to);
+    for (std::size_t k = 0; k < after.size(); ++k) to.injected[k] = from.injected[k] + after[k] - before[k];
     return to;
 }
 

@@ -6,23 +6,45 @@
 
 namespace whorl {
 
-struct State {
+/// A field of every entry of fields().
+struct Fields {
+    FaceVelocity velocity;       ///< length/time
+    std::vector<Field> scalars;  ///< in the order of scalar()
+    Field pressure;              ///< of the last projection, density · length²/time²
+
+    Field& operator[](FieldId id);
+    const Field& operator[](FieldId id) const { return const_cast<Fields&>(*this)[id]; }
+    Field& density() { return scalars[0]; }
+    const Field& density() const { return scalars[0]; }
+    Field& temperature() { return scalars[1]; }
+    const Field& temperature() const { return scalars[1]; }
+};
+
+/// Calls `work(id, field)` for every field, in the table's order.
+template <class AnyFields, class Work>
+void for_each_field(AnyFields& all, Work&& work) {
+    for (std::size_t k = 0; k < fields().size(); ++k) work(FieldId(k), all[FieldId(k)]);
+}
+
+struct State : Fields {
     Boundary boundary;
-    FaceVelocity velocity;  ///< length/time
-    Field density;          ///< ρ
-    Field temperature;      ///< T
-    Field pressure;         ///< of the last projection, density · length²/time²
     long step = 0;
     double time = 0;
-    /// ∫ρ at the start plus every change that emitters, brush and obstacles made since (density · length^d).
-    double put_in = 0;
+    /// Of each scalar that is counted: its total at the start plus every change that emitters, brush and
+    /// obstacles made since (its unit · length^d).
+    std::vector<double> injected;
 
     const Grid& grid() const { return boundary.grid(); }
     void fill_ghosts() {
-        boundary.fill(velocity);
-        for (Field* field : {&density, &temperature, &pressure}) boundary.fill(*field);
+        for_each_field(*this, [this](FieldId, Field& field) { boundary.fill(field); });
     }
 };
+
+/// The totals of all scalars, in their order; 0 for those that are not counted.
+std::vector<double> totals(const State& state);
+
+/// What a field holds in fluid at rest.
+Real ambient_value(FieldId id, const Scene& scene);
 
 /// The sides and solid cells that a scene sets.
 Boundary boundary_of(const Scene& scene);
@@ -34,7 +56,7 @@ State make_state(const Scene& scene);
 double total(const Field& centred, const Boundary& boundary);
 
 /// The same fields on another grid of the same domain: values by bilinear interpolation, solid cells by their
-/// nearest neighbour. What the change of grid does to ∫ρ counts as put in.
+/// nearest neighbour. What the change of grid does to totals counts as injected.
 State resample(const State& from, const Scene& scene);
 
 /// The point (x, y), in length units, of a field's sample (i, j).

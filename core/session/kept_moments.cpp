@@ -7,8 +7,7 @@ std::size_t Moment::bytes() const {
     std::size_t sum = sizeof(Moment);
     for (const Lane::Moment& lane : lanes) {
         const State& s = lane.checkpoint.state;
-        for (const Field* f : {&s.velocity.u, &s.velocity.v, &s.density, &s.temperature, &s.pressure})
-            sum += sizeof(Real) * f->memory().size();
+        for_each_field(s, [&](FieldId, const Field& field) { sum += sizeof(Real) * field.memory().size(); });
         sum += sizeof(double) * lane.checkpoint.projection.pressure.size();
         sum += sizeof(Lane::Moment) + s.boundary.bytes();
     }

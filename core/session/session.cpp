@@ -192,7 +192,7 @@ void Session::mark() {
 const LimiterMarks* Session::limits(std::size_t k) const {
     const Place& place = lanes_[k];
     const bool fits =
-        place.limits && place.limits->density.same_shape(place.lane->simulation().state().density);
+        place.limits && place.limits->density.same_shape(place.lane->simulation().state().density());
     return fits ? &*place.limits : nullptr;
 }
 
@@ -211,9 +211,10 @@ void Session::measure_against(const Simulation& reference) {
     for (Place& place : lanes_) {
         const Simulation& s = place.lane->simulation();
         if (&s == &reference || std::isfinite(place.measures.errors.L1) || place.lane->failure()) continue;
-        const Field& density = s.state().density;
+        const Field& density = s.state().density();
         if (!averaged_.same_shape(density)) averaged_ = s.state().boundary.field(Site::Centre);
-        averager_.average(reference.state().density, reference.state().boundary, s.state().grid(), averaged_);
+        averager_.average(reference.state().density(), reference.state().boundary, s.state().grid(),
+                          averaged_);
         place.measures.errors = errors(density, averaged_, s.state().boundary);
     }
 }

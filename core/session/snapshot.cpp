@@ -47,15 +47,9 @@ void take_snapshot(const Lane& lane, Pool& pool, Snapshot& out, const std::optio
     out.scene = simulation.scene();
     out.failure = lane.failure();
     out.measures = simulation.measures();
-    out.grid = state.grid();
-    out.periodic = state.boundary.periodic();
-    out.solids = state.boundary.solids();
-    out.velocity = state.velocity;
-    out.density = state.density;
-    out.temperature = state.temperature;
-    out.pressure = state.pressure;
+    out.state = state;
     for (Field* field : {&out.speed, &out.vorticity, &out.divergence, &out.exact}) {
-        if (!field->same_shape(state.density)) *field = state.boundary.field(Site::Centre);
+        if (!field->same_shape(state.density())) *field = state.boundary.field(Site::Centre);
     }
     speed_and_divergence(state, pool, out);
     vorticity(state.velocity, state.boundary, out.vorticity, pool);
@@ -97,13 +91,7 @@ void take_snapshot(const Session& session, const SessionSnapshot& last, Pool& po
 
 std::uint64_t SessionSnapshot::digest() const {
     Digest digest;
-    for (const Snapshot& lane : lanes) {
-        for (const Field* f :
-             {&lane.density, &lane.temperature, &lane.velocity.u, &lane.velocity.v, &lane.pressure})
-            digest.add(*f);
-        digest.add(lane.solids);
-        digest.add(lane.measures.step, lane.measures.time);
-    }
+    for (const Snapshot& lane : lanes) digest.add(lane.state);
     return digest.value();
 }
 

@@ -15,11 +15,7 @@ namespace whorl {
 /// One lane.
 struct Snapshot {
     Scene scene;
-    Grid grid;
-    bool periodic = false;
-    std::vector<std::uint8_t> solids;  ///< nx × ny, row by row
-    FaceVelocity velocity;             ///< ghosts filled
-    Field density, temperature, pressure;
+    State state;                         ///< ghosts filled
     Field speed, vorticity, divergence;  ///< at centres, of the velocity as it stands
     Field exact;                         ///< the exact density, where has_exact
     bool has_exact = false;
@@ -29,6 +25,12 @@ struct Snapshot {
     std::optional<Explanation> explanation;  ///< of the watched node
     std::optional<Watch::Node> watched;      ///< that it is asked for
     std::optional<std::string> failure;      ///< why the lane has stopped; the fields are the last sound ones
+
+    const Grid& grid() const { return state.grid(); }
+    const Field& density() const { return state.density(); }
+    bool solid(int i, int j) const { return state.boundary.solid(i, j); }
+    /// nx × ny, row by row.
+    const std::vector<std::uint8_t>& solids() const { return state.boundary.solids(); }
 };
 
 /// All lanes at one step.

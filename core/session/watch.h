@@ -12,7 +12,7 @@ namespace whorl {
 struct Watch {
     /// In every lane, the node of a quantity that is nearest to a point.
     struct Node {
-        Quantity quantity = Quantity::Density;
+        FieldId quantity = field::density;
         WorldPoint at{};  ///< length
         bool operator==(const Node& o) const {
             return quantity == o.quantity && at.x == o.at.x && at.y == o.at.y;

@@ -1,27 +1,13 @@
 // What the last advection began with: the fields that it moved, the flow, and by what schemes.
 #pragma once
 
-#include <array>
-#include <string_view>
+#include <vector>
 
 #include "core/grid/boundary.h"
+#include "core/scene/field_list.h"
 #include "core/schemes/registry.h"
 
 namespace whorl {
-
-/// What an advection moves.
-enum class Quantity { Density, Temperature, U, V };
-
-struct QuantityInfo {
-    std::string_view key, label, symbol;
-};
-inline constexpr std::array<QuantityInfo, 4> quantities{{{"density", "Density", "ρ"},
-                                                         {"temperature", "Temperature", "T"},
-                                                         {"u", "x velocity", "u"},
-                                                         {"v", "y velocity", "v"}}};
-constexpr const QuantityInfo& info(Quantity quantity) {
-    return quantities[static_cast<std::size_t>(quantity)];
-}
 
 /// How an advection moves its fields.
 struct AdvectionSetup {
@@ -29,8 +15,9 @@ struct AdvectionSetup {
     double dt = 0;           ///< time
     std::uint64_t seed = 1;  ///< of the jittered stencil
 
-    const SchemeSet& schemes(Quantity quantity) const {
-        return quantity == Quantity::U || quantity == Quantity::V ? velocity : scalars;
+    /// @pre the field is advected
+    const SchemeSet& schemes(FieldId id) const {
+        return id.info().advected_by == AdvectedBy::Velocity ? velocity : scalars;
     }
 };
 
@@ -40,11 +27,11 @@ struct LastAdvection {
     const Boundary* boundary = nullptr;
     const FaceVelocity* velocity = nullptr;  ///< the flow that moves everything, ghosts filled
     /// Fields as they were, ghosts filled, and as they are now: after walls, a projection that came later,
-    /// and what the brush did since. By Quantity; null for what is not moved.
-    std::array<const Field*, quantities.size()> before{}, now{};
+    /// and what the brush did since. By FieldId; null, or not there, for what is not moved.
+    std::vector<const Field*> before{}, now{};
 
-    const Field* from(Quantity quantity) const { return before[static_cast<std::size_t>(quantity)]; }
-    const Field* at_present(Quantity quantity) const { return now[static_cast<std::size_t>(quantity)]; }
+    const Field* from(FieldId id) const { return id.index() < before.size() ? before[id.index()] : nullptr; }
+    const Field* at_present(FieldId id) const { return id.index() < now.size() ? now[id.index()] : nullptr; }
 };
 
 }  // namespace whorl

@@ -32,7 +32,7 @@ void Simulation::restart() {
     if (experiment_->flow) experiment_->flow(0, state_.grid(), state_.velocity);
     if (!experiment_->flow) state_.boundary.enforce(state_.velocity);
     state_.fill_ghosts();
-    state_.put_in = total(state_.density, state_.boundary);
+    state_.injected = totals(state_);
     set_scene(scene_);
     projection_.restore({}, state_.boundary, *pool_);
     measures_ = {};
@@ -49,11 +49,10 @@ void Simulation::set_scene(const Scene& scene) {
         projection_.restore({}, state_.boundary, *pool_);
         resampled_ += meter_.flow(state_.velocity, state_.boundary, *pool_) - before;
     }
-    if (!next_density_.same_shape(state_.density) || !next_velocity_.u.same_shape(state_.velocity.u)) {
-        next_velocity_ = state_.boundary.velocity();
-        for (Field* field : {&next_density_, &next_temperature_, &exact_}) {
-            *field = state_.boundary.field(Site::Centre);
-        }
+    if (!exact_.same_shape(state_.density()) || !next_.velocity.u.same_shape(state_.velocity.u)) {
+        next_.scalars.resize(state_.scalars.size());
+        for_advected([&](FieldId id) { next_[id] = state_.boundary.field(id.info().site); });
+        exact_ = state_.boundary.field(Site::Centre);
     }
     velocity_mover_.set(scene.velocity, scene.dimensions, scene.seed);
     scalars_mover_.set(scene.scalars, scene.dimensions, scene.seed);
@@ -67,7 +66,7 @@ void Simulation::apply(const SmokeStroke& stroke) {
 
 void Simulation::apply(const ObstacleStroke& stroke) {
     advected_.reset();
-    whorl::apply(stroke, state_, scene_.ambient);
+    whorl::apply(stroke, state_, scene_);
 }
 
 void Simulation::set(const Scene& scene) {
@@ -157,42 +156,49 @@ void Simulation::project() {
 void Simulation::advect() {
     const ScopeTimer watch(measures_.ms.advection);
     const bool solved = experiment_->flow == nullptr;
-    // Fields that move by the same schemes move together, and share what they can.
-    std::array<Group, 3> groups;
-    auto& [scalars, u, v] = groups;
-    scalars.add(state_.density, next_density_);
-    if (solved) {
-        scalars.add(state_.temperature, next_temperature_);
-        u.add(state_.velocity.u, next_velocity_.u);
-        v.add(state_.velocity.v, next_velocity_.v);
-    }
-    const std::size_t together = !solved                                                 ? 1
-                                 : scalars_mover_.schemes() == velocity_mover_.schemes() ? groups.size()
-                                                                                         : 1;
-    const auto move = [&](Mover& mover, Groups which) {
-        mover.advect(which, state_.velocity, scene_.dt, state_.boundary, *pool_);
+    // Fields that move by the same schemes move together, and share what they can. Where the flow is given,
+    // only the density is advected.
+    const std::size_t scalars = solved ? state_.scalars.size() : 1;
+    const auto move = [&](Mover& mover, Groups groups) {
+        mover.advect(groups, state_.velocity, scene_.dt, state_.boundary, *pool_);
     };
-    move(scalars_mover_, Groups(groups).first(together));
+    std::array<Group, 3> groups;
+    auto& [first, u, v] = groups;
+    u.add(state_.velocity.u, next_.velocity.u);
+    v.add(state_.velocity.v, next_.velocity.v);
+    const auto batch = [&](Group& group, std::size_t from) {
+        const std::size_t end = std::min<std::size_t>(scalars, from + Group::max_fields);
+        for (std::size_t k = from; k < end; ++k) group.add(state_.scalars[k], next_.scalars[k]);
+    };
+    batch(first, 0);
+    const bool together = solved && scalars_mover_.schemes() == velocity_mover_.schemes();
+    move(scalars_mover_, Groups(groups).first(together ? groups.size() : 1));
+    for (std::size_t from = Group::max_fields; from < scalars; from += Group::max_fields) {
+        Group more;
+        batch(more, from);
+        move(scalars_mover_, Groups(&more, 1));
+    }
     if (solved) {
-        if (together == 1) move(velocity_mover_, Groups(groups).last(2));
-        std::swap(state_.velocity, next_velocity_);
-        std::swap(state_.temperature, next_temperature_);
+        if (!together) move(velocity_mover_, Groups(groups).last(2));
+        std::swap(state_.velocity, next_.velocity);
         state_.boundary.enforce(state_.velocity);
     }
-    std::swap(state_.density, next_density_);
+    for (std::size_t k = 0; k < scalars; ++k) std::swap(state_.scalars[k], next_.scalars[k]);
     advected_ = {scene_.velocity, scene_.scalars, scene_.dt, scene_.seed};
 }
 
 std::optional<LastAdvection> Simulation::last_advection() const {
     if (!advected_) return std::nullopt;
-    if (experiment_->flow)
-        return LastAdvection{
-            *advected_, &state_.boundary, &state_.velocity, {&next_density_}, {&state_.density}};
-    return LastAdvection{*advected_,
-                         &state_.boundary,
-                         &next_velocity_,
-                         {&next_density_, &next_temperature_, &next_velocity_.u, &next_velocity_.v},
-                         {&state_.density, &state_.temperature, &state_.velocity.u, &state_.velocity.v}};
+    const bool solved = experiment_->flow == nullptr;
+    LastAdvection last{*advected_, &state_.boundary, solved ? &next_.velocity : &state_.velocity};
+    last.before.resize(fields().size());
+    last.now.resize(fields().size());
+    for_advected([&](FieldId id) {
+        if (!solved && id != field::density) return;
+        last.before[id.index()] = &next_[id];
+        last.now[id.index()] = &state_[id];
+    });
+    return last;
 }
 
 bool Simulation::exact(Field& density) const {
@@ -208,7 +214,7 @@ void Simulation::measure(const FlowSums& flow) {
         measures_.enstrophy_changes = measures_.energy_changes;
     }
     measures_.errors =
-        exact(exact_) ? errors(state_.density, exact_, state_.boundary) : Errors{unknown, unknown, unknown};
+        exact(exact_) ? errors(state_.density(), exact_, state_.boundary) : Errors{unknown, unknown, unknown};
     resampled_ = {};
 }
 

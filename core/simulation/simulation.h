@@ -75,9 +75,9 @@ class Simulation {
     Projection projection_;
     Confinement confinement_;
     Mover velocity_mover_, scalars_mover_;
-    FaceVelocity next_velocity_;
-    Field next_density_, next_temperature_, exact_;
-    /// Of the last step: what it moved is then in next_… as it was before.
+    Fields next_;
+    Field exact_;
+    /// Of the last step: what it moved is then in next_ as it was before.
     std::optional<AdvectionSetup> advected_;
     Meter meter_;
     FlowSums resampled_;  ///< what changes of grid did to the flow since the last step

@@ -43,8 +43,8 @@ void stir(State& state, double cfl, double dt) {
     };
     write(state.velocity.u, [&](double x, double y) { return speed * std::sin(x) * std::cos(y); });
     write(state.velocity.v, [&](double x, double y) { return -speed * std::cos(x) * std::sin(y); });
-    write(state.density, [](double x, double y) { return 1 + std::sin(5 * x) * std::sin(3 * y); });
-    write(state.temperature, [](double x, double y) { return 5 + std::cos(4 * x) * std::sin(6 * y); });
+    write(state.density(), [](double x, double y) { return 1 + std::sin(5 * x) * std::sin(3 * y); });
+    write(state.temperature(), [](double x, double y) { return 5 + std::cos(4 * x) * std::sin(6 * y); });
     state.fill_ghosts();
 }
 
@@ -62,8 +62,8 @@ void advection(benchmark::State& run, const Setup& setup) {
     Mover mover;
     mover.set(scene.scalars, scene.dimensions, scene.seed);
     Group groups[3];
-    groups[0].add(from.density, to.density);
-    groups[0].add(from.temperature, to.temperature);
+    groups[0].add(from.density(), to.density());
+    groups[0].add(from.temperature(), to.temperature());
     groups[1].add(from.velocity.u, to.velocity.u);
     groups[2].add(from.velocity.v, to.velocity.v);
     for (auto _ : run) mover.advect(groups, from.velocity, scene.dt, from.boundary, pool);

@@ -16,7 +16,7 @@ State waves(int resolution, Sides::Id sides) {
     scene.resolution = resolution;
     scene.sides = sides;
     State state = make_state(scene);
-    for (Field* field : {&state.velocity.u, &state.velocity.v, &state.density})
+    for (Field* field : {&state.velocity.u, &state.velocity.v, &state.density()})
         write_samples(*field, state.grid(), [](WorldPoint at) { return std::sin(at.x) * std::cos(at.y); });
     state.boundary.enforce(state.velocity);
     state.fill_ghosts();
@@ -58,7 +58,7 @@ void average(benchmark::State& state) {
     scene.resolution = static_cast<int>(state.range(1));
     Field out = boundary_of(scene).field(Site::Centre);
     Averager averager;
-    for (auto _ : state) averager.average(fine.density, fine.boundary, scene.grid(), out);
+    for (auto _ : state) averager.average(fine.density(), fine.boundary, scene.grid(), out);
 }
 BENCHMARK(average)->Args({256, 128})->Args({1024, 128})->Args({512, 300})->Unit(benchmark::kMicrosecond);
 

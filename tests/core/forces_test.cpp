@@ -18,11 +18,14 @@ State still(int n = 20) {
     return make_state(scene);
 }
 
+/// Whose still air has 5 degrees.
+const Scene cool;
+
 TEST(Buoyancy, LiftsHeatAndSinksSmoke) {
     State state = still();
     Pool pool(1);
-    state.temperature(5, 5) = 25;  // 20 above ambient
-    state.density(10, 5) = 1;
+    state.temperature()(5, 5) = 25;  // 20 above ambient
+    state.density()(10, 5) = 1;
     state.fill_ghosts();
     add_buoyancy(state, 2, 0.1, 5, 0.5, pool);
     // Half of each centre's force on either face.
@@ -73,28 +76,35 @@ TEST(Emitters, OpenForJustTheirSteps) {
 
 TEST(Emitters, HoldTheirValuesAndCountWhatTheyPutIn) {
     State state = still(40);
-    const Emitter emitter{.x = 20, .y = 1, .width = 4, .height = 2, .density = 0.5, .temperature = 50};
+    const Emitter emitter{.x = 20,
+                          .y = 1,
+                          .width = 4,
+                          .height = 2,
+                          .amounts = {{field::density, 0.5}, {field::temperature, 50}}};
     apply_emitters(state, std::span(&emitter, 1), 0.1);
-    EXPECT_EQ(state.density(18, 0), Real(0.5));
-    EXPECT_EQ(state.density(21, 1), Real(0.5));
-    EXPECT_EQ(state.density(17, 0), 0);
-    EXPECT_EQ(state.density(18, 2), 0);
-    EXPECT_EQ(state.temperature(19, 1), 50);
-    EXPECT_NEAR(state.put_in, 0.5 * 4 * 2, 1e-9);
+    EXPECT_EQ(state.density()(18, 0), Real(0.5));
+    EXPECT_EQ(state.density()(21, 1), Real(0.5));
+    EXPECT_EQ(state.density()(17, 0), 0);
+    EXPECT_EQ(state.density()(18, 2), 0);
+    EXPECT_EQ(state.temperature()(19, 1), 50);
+    EXPECT_NEAR(state.injected[0], 0.5 * 4 * 2, 1e-9);
     apply_emitters(state, std::span(&emitter, 1), 0.1);
-    EXPECT_NEAR(state.put_in, 0.5 * 4 * 2, 1e-9) << "holding adds nothing";
+    EXPECT_NEAR(state.injected[0], 0.5 * 4 * 2, 1e-9) << "holding adds nothing";
 }
 
 /// One quick stroke across the domain leaves smoke at every cell on its way.
 TEST(Brush, LeavesAContinuousTrail) {
     State state = still(40);
-    apply(SmokeStroke{.along = {4, 20, 36, 22}, .radius = 1.5, .density = 0.5, .temperature = 30}, state);
+    apply(SmokeStroke{.along = {4, 20, 36, 22},
+                      .radius = 1.5,
+                      .amounts = {{field::density, 0.5}, {field::temperature, 30}}},
+          state);
     for (int i = 5; i < 35; ++i) {
         Real most = 0;
-        for (int j = 15; j < 27; ++j) most = std::max(most, state.density(i, j));
+        for (int j = 15; j < 27; ++j) most = std::max(most, state.density()(i, j));
         EXPECT_GT(most, Real(0.2)) << "column " << i;
     }
-    EXPECT_NEAR(state.put_in, total(state.density, state.boundary), 1e-5);
+    EXPECT_NEAR(state.injected[0], total(state.density(), state.boundary), 1e-5);
 }
 
 TEST(Brush, DragsTheFluidAlongAndPushesWithoutSmoke) {
@@ -102,28 +112,28 @@ TEST(Brush, DragsTheFluidAlongAndPushesWithoutSmoke) {
     apply(SmokeStroke{.along = {10, 20, 20, 20}, .radius = 2, .push = 1, .velocity_x = 5, .smoke = false},
           state);
     EXPECT_GT(state.velocity.u(15, 19), Real(3));
-    EXPECT_EQ(total(state.density, state.boundary), 0);
-    EXPECT_EQ(state.put_in, 0);
+    EXPECT_EQ(total(state.density(), state.boundary), 0);
+    EXPECT_EQ(state.injected[0], 0);
 }
 
 TEST(Brush, PaintsAndErasesObstacles) {
     State state = still(40);
-    apply(SmokeStroke{.along = {20, 20, 20, 20}, .radius = 4, .density = 1}, state);
-    const double before = state.put_in;
-    apply(ObstacleStroke{.along = {20, 20, 20, 20}, .radius = 2, .solid = true}, state, 5);
+    apply(SmokeStroke{.along = {20, 20, 20, 20}, .radius = 4, .amounts = {{field::density, 1}}}, state);
+    const double before = state.injected[0];
+    apply(ObstacleStroke{.along = {20, 20, 20, 20}, .radius = 2, .solid = true}, state, cool);
     EXPECT_TRUE(state.boundary.solid(20, 20));
-    EXPECT_LT(state.put_in, before) << "walled-in smoke is taken out of the account";
-    EXPECT_NEAR(state.put_in, total(state.density, state.boundary), 1e-5);
-    apply(ObstacleStroke{.along = {20, 20, 20, 20}, .radius = 3, .solid = false}, state, 5);
+    EXPECT_LT(state.injected[0], before) << "walled-in smoke is taken out of the account";
+    EXPECT_NEAR(state.injected[0], total(state.density(), state.boundary), 1e-5);
+    apply(ObstacleStroke{.along = {20, 20, 20, 20}, .radius = 3, .solid = false}, state, cool);
     EXPECT_FALSE(state.boundary.has_solids());
-    EXPECT_EQ(state.density(20, 20), 0);
-    EXPECT_NEAR(state.put_in, total(state.density, state.boundary), 1e-5);
+    EXPECT_EQ(state.density()(20, 20), 0);
+    EXPECT_NEAR(state.injected[0], total(state.density(), state.boundary), 1e-5);
 }
 
 /// The smallest brush still meets a cell.
 TEST(Brush, SmallestObstacleBrushMeetsACell) {
     State state = still(40);
-    apply(ObstacleStroke{.along = {20, 20, 20, 20}, .radius = 0.01, .solid = true}, state, 5);
+    apply(ObstacleStroke{.along = {20, 20, 20, 20}, .radius = 0.01, .solid = true}, state, cool);
     EXPECT_TRUE(state.boundary.has_solids());
 }
 

@@ -115,12 +115,12 @@ Step1 any_step() {
 }
 
 struct Node {
-    Quantity quantity;
+    FieldId quantity;
     int i, j;
 };
 
 Node any_node(const LastAdvection& last) {
-    const auto quantity = static_cast<Quantity>(*rc::gen::inRange<std::size_t>(0, quantities.size()));
+    const auto quantity = *rc::gen::elementOf(advected_fields());
     const Field& q = *last.from(quantity);
     return {quantity, *rc::gen::inRange(0, q.width()), *rc::gen::inRange(0, q.height())};
 }
@@ -160,7 +160,7 @@ void log(const SchemeSet& s, const Node& node) {
     RC_LOG() << s.advector.key() << " over " << s.base.key() << ", " << s.interpolation.key()
              << (s.clamped ? " clamped, " : ", ") << s.axis_order.key() << ", " << s.tracer.key() << ", "
              << s.stencil.key() << " " << s.zeta << " " << s.weights.key() << ", " << s.limiter.key() << "; "
-             << info(node.quantity).key << " at " << node.i << ", " << node.j << "\n";
+             << node.quantity.info().key << " at " << node.i << ", " << node.j << "\n";
 }
 
 RC_GTEST_PROP(Inspect, TellsWhatTheStepDid, ()) {
@@ -252,7 +252,7 @@ TEST(Inspect, WaysOfTracersAreThose) {
     schemes.tracer = Tracers::of<Rk4>();
     const Step1 step({20, 20, 0.5}, Sides::of<Periodic>(), schemes, 0, 0.4, 3);
     Pool pool(1);
-    const Explanation e = explain(step.last(), Quantity::Density, 9, 9, pool);
+    const Explanation e = explain(step.last(), field::density, 9, 9, pool);
     const BaseStep& s = e.steps.at(0);
     EXPECT_EQ(s.euler.stages.size(), 1u);
     EXPECT_EQ(s.midpoint.stages.size(), 2u);
@@ -275,7 +275,7 @@ TEST(Inspect, ShowsSlopesThatFritschCarlsonLimits) {
     step.boundary.fill(step.density);
     step.velocity.u.set_all(Real(-0.5));
     Pool pool(1);
-    const Explanation e = explain(step.last(), Quantity::Density, 2, 0, pool);
+    const Explanation e = explain(step.last(), field::density, 2, 0, pool);
     ASSERT_TRUE(e.sum.slopes);
     EXPECT_EQ(e.sum.slopes->D, 0.5);
     EXPECT_EQ(e.sum.slopes->left, 2.5);
@@ -295,7 +295,7 @@ TEST(Inspect, NamesTheEquationsOfTheThesis) {
         schemes.base = *Bases::find(base);
         const Step1 step({9, rows, 1}, Sides::of<Periodic>(), schemes, 0, 0.5, 3);
         Pool pool(1);
-        return explain(step.last(), Quantity::Density, 4, rows / 2, pool).sum;
+        return explain(step.last(), field::density, 4, rows / 2, pool).sum;
     };
     const auto equation = [&](const char* advector) { return sum(advector).equation; };
     EXPECT_EQ(equation("semi-lagrangian"), "thesis eq. 3.6–3.7, 3.11");
@@ -331,7 +331,7 @@ TEST(Inspect, NamesTheSourceOfEachLimitOfSlopes) {
         step.boundary.fill(step.density);
         step.velocity.u.set_all(Real(-0.5));
         Pool pool(1);
-        const Explanation e = explain(step.last(), Quantity::Density, 2, 0, pool);
+        const Explanation e = explain(step.last(), field::density, 2, 0, pool);
         EXPECT_TRUE(e.sum.slopes->acted()) << interpolation;
         EXPECT_NE(write_text(e).find("limited: "), std::string::npos);
         EXPECT_NE(write_text(e).find("[" + e.sum.slopes->equation + "]"), std::string::npos);
@@ -362,13 +362,13 @@ TEST(Inspect, RefusesWhatThereIsNot) {
     const Step1 step({9, 7, 1}, Sides::of<Box>(), {}, 0, 0.5, 3);
     LastAdvection last = step.last();
     Pool pool(1);
-    EXPECT_THROW(explain(last, Quantity::Density, 9, 0, pool), InputError);
-    EXPECT_NO_THROW(explain(last, Quantity::U, 9, 0, pool));
-    EXPECT_THROW(explain(last, Quantity::U, 0, -1, pool), InputError);
+    EXPECT_THROW(explain(last, field::density, 9, 0, pool), InputError);
+    EXPECT_NO_THROW(explain(last, field::u, 9, 0, pool));
+    EXPECT_THROW(explain(last, field::u, 0, -1, pool), InputError);
     last.before[2] = nullptr;
-    EXPECT_THROW(explain(last, Quantity::U, 0, 0, pool), InputError);
+    EXPECT_THROW(explain(last, field::u, 0, 0, pool), InputError);
     Field marks;
-    EXPECT_EQ(limiter_map(last, Quantity::U, pool, marks), 0);
+    EXPECT_EQ(limiter_map(last, field::u, pool, marks), 0);
 }
 
 /// The last step of a running scene.
@@ -376,8 +376,8 @@ void expect_told(const Simulation& simulation, bool projected_after) {
     const auto last = simulation.last_advection();
     ASSERT_TRUE(last);
     Pool pool(1);
-    for (std::size_t k = 0; k < quantities.size(); ++k) {
-        const auto quantity = static_cast<Quantity>(k);
+    for (std::size_t k = 0; k < fields().size(); ++k) {
+        const auto quantity = FieldId(k);
         const Field* q = last->from(quantity);
         if (q == nullptr) continue;
         const bool scalar = q->site() == Site::Centre;
@@ -385,7 +385,7 @@ void expect_told(const Simulation& simulation, bool projected_after) {
             for (int i = 0; i < q->width(); i += 2) {
                 const Explanation e = explain(*last, quantity, i, j, pool);
                 if (projected_after && !scalar) continue;  // that changes what advection gave
-                EXPECT_EQ(e.result, e.now) << info(quantity).key << " at " << i << ", " << j;
+                EXPECT_EQ(e.result, e.now) << quantity.info().key << " at " << i << ", " << j;
             }
         }
     }
@@ -417,7 +417,7 @@ TEST(Inspect, TellsTheLastStepOfEveryExperiment) {
         Simulation simulation(scene, pool);
         for (int k = 0; k < 5; ++k) simulation.step();
         expect_told(simulation, scene.order == StepOrders::of<SmokeOrder>());
-        EXPECT_EQ(simulation.last_advection()->from(Quantity::U) == nullptr, e.flow != nullptr);
+        EXPECT_EQ(simulation.last_advection()->from(field::u) == nullptr, e.flow != nullptr);
     }
 }
 
@@ -432,7 +432,11 @@ TEST(Inspect, SaysNothingOfFieldsThatWereChangedSince) {
     Pool pool(1);
     const auto wall = [](Simulation& s) { s.apply(ObstacleStroke{.along = {8, 20, 30, 26}, .radius = 3}); };
     const auto smoke = [](Simulation& s) {
-        s.apply(SmokeStroke{.along = {5, 5, 30, 22}, .radius = 3, .density = 1, .push = 1, .velocity_x = 20});
+        s.apply(SmokeStroke{.along = {5, 5, 30, 22},
+                            .radius = 3,
+                            .amounts = {{field::density, 1}},
+                            .push = 1,
+                            .velocity_x = 20});
     };
     const auto resolve = [](Simulation& s) {
         Scene scene = s.scene();
@@ -457,13 +461,13 @@ TEST(Inspect, SaysNothingOfFieldsThatWereChangedSince) {
     Simulation plume = stepped("plume", pool);
     smoke(plume);
     ASSERT_TRUE(plume.last_advection());
-    const Explanation e = explain(*plume.last_advection(), Quantity::Density, 6, 5, pool);
+    const Explanation e = explain(*plume.last_advection(), field::density, 6, 5, pool);
     EXPECT_NE(e.now, e.result);
     // Other schemes act on the next step, and do not change what the last one did.
     Scene other = plume.scene();
     set_parameter(other, "advector=aslam");
     plume.set(other);
-    EXPECT_EQ(explain(*plume.last_advection(), Quantity::Density, 6, 5, pool).result, e.result);
+    EXPECT_EQ(explain(*plume.last_advection(), field::density, 6, 5, pool).result, e.result);
 }
 
 TEST(Inspect, WritesTheSumAsText) {
@@ -471,7 +475,7 @@ TEST(Inspect, WritesTheSumAsText) {
     schemes.advector = Advectors::of<MacCormack>();
     const Step1 step({9, 7, 1}, Sides::of<Periodic>(), schemes, 0, 0.8, 3);
     Pool pool(1);
-    const std::string text = write_text(explain(step.last(), Quantity::Density, 4, 3, pool));
+    const std::string text = write_text(explain(step.last(), field::density, 4, 3, pool));
     for (const char* words :
          {"Density at (4, 3): ", "forward: (4.5, 3.5) → (", "back again: ", "many small steps (",
           "ρ after advection = ", "thesis alg. 3.3, eq. 3.26", "ρ forward = ", "thesis eq. 3.6–3.7, 3.11",

@@ -96,11 +96,11 @@ TEST(Player, TakesItsPaceFromTheFrames) {
 
 TEST(Player, CommandsActWhilePaused) {
     Player player(small_plume(), 1);
-    player.push(SmokeStroke{.along = {10, 20, 30, 20}, .radius = 3, .density = 1});
+    player.push(SmokeStroke{.along = {10, 20, 30, 20}, .radius = 3, .amounts = {{field::density, 1}}});
     EXPECT_TRUE(eventually(
-        [&] { return player.newest().step == 0 && player.newest().lanes[0].density(12, 12) > 0; }));
+        [&] { return player.newest().step == 0 && player.newest().lanes[0].density()(12, 12) > 0; }));
     player.push(SetParameter{"resolution", "32"});
-    EXPECT_TRUE(eventually([&] { return player.newest().lanes[0].grid.nx == 32; }));
+    EXPECT_TRUE(eventually([&] { return player.newest().lanes[0].grid().nx == 32; }));
     player.push(SetParameter{"zeta", "77"});
     std::string complaint;
     EXPECT_TRUE(eventually([&] { return !(complaint = player.take_complaint()).empty(); }));
@@ -138,10 +138,12 @@ TEST(Player, KeepsTheLastSoundStateWhenARunFails) {
     Player player(small_plume(), 1);
     player.step_once();
     ASSERT_TRUE(eventually([&] { return player.newest().step == 1; }));
-    player.push(SmokeStroke{.along = {20, 20, 20, 20}, .radius = 3, .density = 1, .temperature = INFINITY});
+    player.push(SmokeStroke{.along = {20, 20, 20, 20},
+                            .radius = 3,
+                            .amounts = {{field::density, 1}, {field::temperature, INFINITY}}});
     player.step_once();
     ASSERT_TRUE(eventually([&] { return player.newest().lanes[0].failure.has_value(); }));
-    EXPECT_TRUE(std::isfinite(player.newest().lanes[0].density(12, 12)));
+    EXPECT_TRUE(std::isfinite(player.newest().lanes[0].density()(12, 12)));
     player.push(Restart{});
     EXPECT_TRUE(eventually([&] { return !player.newest().lanes[0].failure && player.newest().step == 0; }));
 }

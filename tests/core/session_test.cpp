@@ -36,8 +36,7 @@ std::uint64_t digest_of(const Session& session, std::size_t k) {
 
 const SmokeStroke stroke{.along = {5, 5, 30, 22},
                          .radius = 3,
-                         .density = 1,
-                         .temperature = 60,
+                         .amounts = {{field::density, 1}, {field::temperature, 60}},
                          .push = 1,
                          .velocity_x = 20,
                          .velocity_y = 5};
@@ -250,8 +249,8 @@ TEST(Session, AFineLaneIsTheTruthWhereNoneIsKnown) {
     EXPECT_TRUE(std::isnan(session.measures(1).errors.L1)) << "it is not measured against itself";
     EXPECT_EQ(session.measures(0).errors.L2, session.measures(2).errors.L2);
     // By hand: the mean of 4 × 4 cells.
-    const Field& fine = session.lane(1).simulation().state().density;
-    const Field& coarse = session.lane(0).simulation().state().density;
+    const Field& fine = session.lane(1).simulation().state().density();
+    const Field& coarse = session.lane(0).simulation().state().density();
     double sum = 0;
     for (int j = 0; j < coarse.height(); ++j) {
         for (int i = 0; i < coarse.width(); ++i) {

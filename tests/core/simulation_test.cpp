@@ -51,7 +51,7 @@ TEST(Simulation, EveryControlActsOnTheNextStepWithoutAReset) {
         }
         simulation.step();
         EXPECT_EQ(simulation.state().step, 6) << p.key;
-        EXPECT_GT(total(simulation.state().density, simulation.state().boundary), 0) << p.key;
+        EXPECT_GT(total(simulation.state().density(), simulation.state().boundary), 0) << p.key;
     }
 }
 
@@ -59,11 +59,11 @@ TEST(Simulation, ResolutionResamplesTheRunningFields) {
     Pool pool(1);
     Simulation simulation(plume(), pool);
     for (int step = 0; step < 200; ++step) simulation.step();
-    const double before = total(simulation.state().density, simulation.state().boundary);
+    const double before = total(simulation.state().density(), simulation.state().boundary);
     const double percent = simulation.measures().density_percent;
     simulation.set(plume({"resolution=80"}));
     EXPECT_EQ(simulation.state().grid().nx, 80);
-    EXPECT_NEAR(total(simulation.state().density, simulation.state().boundary) / before, 1, 0.02);
+    EXPECT_NEAR(total(simulation.state().density(), simulation.state().boundary) / before, 1, 0.02);
     simulation.step();
     EXPECT_EQ(simulation.state().step, 201);
     EXPECT_NEAR(simulation.measures().density_percent, percent, 1) << "resampling is not the scheme's doing";
@@ -86,7 +86,7 @@ TEST(Simulation, SameBitsForAnyThreadCount) {
         for (int step = 0; step < 30; ++step) simulation.step();
         std::vector<Real> bits;
         const State& s = simulation.state();
-        for (const Field* f : {&s.density, &s.temperature, &s.velocity.u, &s.velocity.v, &s.pressure}) {
+        for (const Field* f : {&s.density(), &s.temperature(), &s.velocity.u, &s.velocity.v, &s.pressure}) {
             for (int j = 0; j < f->height(); ++j) bits.insert(bits.end(), f->row(j), f->row(j) + f->width());
         }
         return bits;
@@ -127,9 +127,11 @@ TEST(Lane, StopsAtANumberThatIsNotOneAndStartsAnew) {
     Pool pool(1);
     Lane lane(plume({"resolution=16"}), pool);
     ASSERT_TRUE(lane.step());
-    lane.simulation().apply(SmokeStroke{.along = {20, 20, 20, 20}, .radius = 3, .density = std::nan("")});
     lane.simulation().apply(
-        SmokeStroke{.along = {20, 20, 20, 20}, .radius = 3, .density = 1, .temperature = INFINITY});
+        SmokeStroke{.along = {20, 20, 20, 20}, .radius = 3, .amounts = {{field::density, std::nan("")}}});
+    lane.simulation().apply(SmokeStroke{.along = {20, 20, 20, 20},
+                                        .radius = 3,
+                                        .amounts = {{field::density, 1}, {field::temperature, INFINITY}}});
     EXPECT_FALSE(lane.step());
     ASSERT_TRUE(lane.failure());
     EXPECT_NE(lane.failure()->find("step 2: "), std::string::npos) << *lane.failure();

@@ -21,21 +21,21 @@ Recording plume(const char* advector = "maccormack", int resolution = 16) {
     return {.setup = {.scene = scene}, .commands = {}, .step = 0};
 }
 
-const Watch::Node node{Quantity::Density, {20, 6}};
+const Watch::Node node{field::density, {20, 6}};
 
 const std::optional<Explanation>& explanation(Player& player) {
     return player.newest().lanes[0].explanation;
 }
 
 TEST(Watch, SnapshotsExplainTheNodeNearestToAPoint) {
-    for (const Quantity quantity : {Quantity::Density, Quantity::U, Quantity::V}) {
+    for (const FieldId quantity : {field::density, field::u, field::v}) {
         Pool pool(1);
         Session session(plume(), pool);
         for (int k = 0; k < 10; ++k) session.step();
         SessionSnapshot out;
         take_snapshot(session, out, pool, out);
         EXPECT_FALSE(out.lanes[0].explanation);
-        const Grid& grid = out.lanes[0].grid;
+        const Grid& grid = out.lanes[0].grid();
         // A little off the node.
         const Field& field = *session.lane(0).simulation().last_advection()->from(quantity);
         WorldPoint at = world(field, grid, 8, 2);
@@ -111,7 +111,7 @@ TEST(Watch, AMomentThatWasChangedIsNotTakenAgainForEveryNode) {
     EXPECT_FALSE(explanation(player)) << "a wall was built since";
     player.take_measures(measures);
     measures.clear();
-    const Watch::Node other{Quantity::Density, {10, 10}};
+    const Watch::Node other{field::density, {10, 10}};
     player.watch({.node = other, .limiters = false});
     ASSERT_TRUE(eventually([&] { return player.newest().lanes[0].watched == other; }));
     player.take_measures(measures);
@@ -133,7 +133,7 @@ TEST(Watch, OtherRunsAndLanesAreWatchedToo) {
     }
     // Another grid has no last step.
     player.push(SetParameter{"resolution", "14"});
-    ASSERT_TRUE(eventually([&] { return player.newest().lanes[0].grid.nx == 14; }));
+    ASSERT_TRUE(eventually([&] { return player.newest().lanes[0].grid().nx == 14; }));
     EXPECT_FALSE(player.newest().lanes[0].limits);
     EXPECT_FALSE(player.newest().lanes[0].explanation);
 }
@@ -151,9 +151,9 @@ TEST(Watch, LimitersAreCountedAtEveryStep) {
         const LimiterCounts& counts = session.measures(0).limited;
         const LastAdvection last = *session.lane(0).simulation().last_advection();
         Field density, u, v;
-        EXPECT_EQ(counts.density, limiter_map(last, Quantity::Density, pool, density));
+        EXPECT_EQ(counts.density, limiter_map(last, field::density, pool, density));
         EXPECT_EQ(counts.velocity,
-                  limiter_map(last, Quantity::U, pool, u) + limiter_map(last, Quantity::V, pool, v));
+                  limiter_map(last, field::u, pool, u) + limiter_map(last, field::v, pool, v));
         const LimiterMarks& marks = *session.limits(0);
         EXPECT_EQ(marks.density(8, 2), density(8, 2));
         EXPECT_EQ(marks.velocity(8, 2), (u(8, 2) + u(9, 2) + v(8, 2) + v(8, 3)) / 4);
@@ -189,7 +189,7 @@ TEST(Watch, AGivenFlowIsNotLimited) {
     EXPECT_TRUE(std::isnan(session.measures(0).limited.velocity));
     EXPECT_GT(session.measures(0).limited.density, 0);
     SessionSnapshot out;
-    take_snapshot(session, out, pool, out, Watch::Node{Quantity::U, {1, 1}});
+    take_snapshot(session, out, pool, out, Watch::Node{field::u, {1, 1}});
     EXPECT_FALSE(out.lanes[0].explanation);
 }
 

@@ -29,7 +29,7 @@ std::vector<std::string> corpus() {
     Recording run;
     run.setup.lanes = {{.name = "one"}, {.overrides = {{"zeta", "3"}}, .refine = 2}};
     run.setup.reference = 1;
-    run.commands = {{0, SmokeStroke{.along = {1, 2, 3, 4}, .density = 1}},
+    run.commands = {{0, SmokeStroke{.along = {1, 2, 3, 4}, .amounts = {{field::density, 1}}}},
                     {3, SetParameter{"advector", "aslam"}},
                     {3, ObstacleStroke{}},
                     {9, Arrange{{LaneSetup{}, LaneSetup{.refine = 4}}, {0, 0}, 1}}};

@@ -84,8 +84,7 @@ std::vector<DigestRun> make_runs() {
 
     const SmokeStroke stroke{.along = {5, 5, 30, 22},
                              .radius = 3,
-                             .density = 1,
-                             .temperature = 60,
+                             .amounts = {{field::density, 1}, {field::temperature, 60}},
                              .push = 1,
                              .velocity_x = 20,
                              .velocity_y = 5};

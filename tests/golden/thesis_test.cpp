@@ -116,11 +116,11 @@ TEST(Plume, HeadReachesTheLidBetweenSteps360And480) {
     Scene scene = scene_of(experiment("plume"));
     Pool pool(2);
     Simulation simulation(scene, pool);
-    const double visible = 0.1 * scene.emitters[0].density;
+    const double visible = 0.1 * scene.emitters[0].amounts[field::density];
     long reached = 0;
     while (reached == 0 && simulation.state().step < 600) {
         simulation.step();
-        const Field& density = simulation.state().density;
+        const Field& density = simulation.state().density();
         for (int i = 0; i < density.width(); ++i) {
             if (static_cast<double>(density(i, density.height() - 1)) > visible)
                 reached = simulation.state().step;

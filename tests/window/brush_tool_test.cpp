@@ -47,10 +47,10 @@ TEST(BrushTool, AQuickStrokeLeavesAContinuousTrail) {
     p.event(Kind::Move, 450, 250);
     p.event(Kind::Release, 450, 250);
     p.brush.end_frame(p.client);
-    ASSERT_TRUE(p.eventually([](const Snapshot& s) { return s.density(34, 20) > 0.1f; }));
-    for (int i = 5; i <= 34; ++i) EXPECT_GT(p.client.snapshot().density(i, 20), 0.3f) << "at cell " << i;
-    EXPECT_GT(p.client.snapshot().velocity.u(20, 20), 1.0f) << "the fluid is dragged along";
-    EXPECT_LE(p.client.snapshot().velocity.u(20, 20), 40.0f) << "but not as fast as the hand";
+    ASSERT_TRUE(p.eventually([](const Snapshot& s) { return s.density()(34, 20) > 0.1f; }));
+    for (int i = 5; i <= 34; ++i) EXPECT_GT(p.client.snapshot().density()(i, 20), 0.3f) << "at cell " << i;
+    EXPECT_GT(p.client.snapshot().state.velocity.u(20, 20), 1.0f) << "the fluid is dragged along";
+    EXPECT_LE(p.client.snapshot().state.velocity.u(20, 20), 40.0f) << "but not as fast as the hand";
 }
 
 TEST(BrushTool, TheRightButtonOnlyPushes) {
@@ -58,13 +58,13 @@ TEST(BrushTool, TheRightButtonOnlyPushes) {
     p.event(Kind::Press, 200, 250, GLFW_MOUSE_BUTTON_RIGHT);
     p.event(Kind::Move, 300, 250);
     p.brush.end_frame(p.client);
-    ASSERT_TRUE(p.eventually([](const Snapshot& s) { return s.velocity.u(15, 20) > 1.0f; }));
-    EXPECT_EQ(p.client.snapshot().density(15, 20), 0.0f);
+    ASSERT_TRUE(p.eventually([](const Snapshot& s) { return s.state.velocity.u(15, 20) > 1.0f; }));
+    EXPECT_EQ(p.client.snapshot().density()(15, 20), 0.0f);
 }
 
 TEST(BrushTool, ShiftPaintsObstaclesAndControlErasesThem) {
     Painted p;
-    const auto solid = [](const Snapshot& s) { return s.solids[20 * 40 + 20] != 0; };
+    const auto solid = [](const Snapshot& s) { return s.solids()[20 * 40 + 20] != 0; };
     p.event(Kind::Press, 305, 245, GLFW_MOUSE_BUTTON_LEFT, GLFW_MOD_SHIFT);
     p.event(Kind::Release, 305, 245);
     p.brush.end_frame(p.client);

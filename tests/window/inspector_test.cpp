@@ -53,7 +53,7 @@ struct Inspected {
     /// The pixel at the centre of a cell of a lane.
     ImVec2 pixel(std::size_t lane, int i, int j) const {
         const FieldTile& tile = window.place.tiles[lane];
-        const double h = window.client.session().lanes[lane].grid.h;
+        const double h = window.client.session().lanes[lane].grid().h;
         const glm::dvec2 at = window.place.pixel(tile, {(i + 0.5) * h, (j + 0.5) * h});
         return {static_cast<float>(at.x), static_cast<float>(at.y)};
     }
@@ -91,9 +91,9 @@ TEST(Inspector, AClickInAnyLaneExplainsThatCellInAllOfThem) {
     for (int k = 0; k < 5; ++k) session.step();
     for (const std::size_t k : {0u, 1u}) {
         const Explanation direct =
-            explain(*session.lane(k).simulation().last_advection(), Quantity::Density, 12, 3, pool);
+            explain(*session.lane(k).simulation().last_advection(), field::density, 12, 3, pool);
         EXPECT_EQ(write_text(in.explained(k)), write_text(direct));
-        EXPECT_EQ(in.explained(k).now, in.window.client.session().lanes[k].density(12, 3));
+        EXPECT_EQ(in.explained(k).now, in.window.client.session().lanes[k].density()(12, 3));
     }
 }
 
@@ -106,7 +106,7 @@ TEST(Inspector, FollowsTheRun) {
     in.window.player.step_once();
     ASSERT_TRUE(in.window.eventually([&] { return in.window.client.session().step == 6; }));
     ASSERT_TRUE(in.window.client.snapshot().explanation);
-    EXPECT_EQ(in.explained(0).now, in.window.client.snapshot().density(12, 3));
+    EXPECT_EQ(in.explained(0).now, in.window.client.snapshot().density()(12, 3));
     // Closed, it costs nothing more.
     in.inspector.open = false;
     EXPECT_TRUE(in.window.eventually([&] { return !in.window.client.snapshot().explanation; }));
@@ -260,7 +260,7 @@ TEST(Inspector, CurvesAreInspectedToo) {
     ASSERT_TRUE(in.window.eventually([&] { return in.window.client.snapshot().explanation.has_value(); }));
     const int i = in.explained(0).i;
     EXPECT_NEAR(i, 12, 2);
-    EXPECT_EQ(in.explained(0).now, in.window.client.snapshot().density(i, 0));
+    EXPECT_EQ(in.explained(0).now, in.window.client.snapshot().density()(i, 0));
     // Two samples, where they are read, and the node.
     EXPECT_EQ(inspected_marks({in.ui.theme, in.window.client, in.window.view, in.window.measure_view,
                                in.window.files, in.window.history, in.window.frames, in.window.fields,
@@ -282,14 +282,14 @@ TEST(Inspector, AClickAsksTheLaneWhoseCurveIsNearest) {
     inspector.open = true;
     window.frame();
     constexpr std::size_t low = 0, high = 2;
-    const auto row = [&](std::size_t k) { return window.client.session().lanes[k].density.row(0); };
-    const int width = window.client.snapshot().grid.nx;
+    const auto row = [&](std::size_t k) { return window.client.session().lanes[k].density().row(0); };
+    const int width = window.client.snapshot().grid().nx;
     const auto peak = std::max_element(row(high), row(high) + width) - row(high);
     ASSERT_GT(row(high)[peak], row(low)[peak] + 0.2f);
     // Which sample is under the pointer is the plot's own business: go along until it is the peak.
     const Layout& at = window.layout;
     float x = at.field.x;
-    while (!inspector.picked || std::abs(inspector.node.at.x / window.client.snapshot().grid.h - 0.5 -
+    while (!inspector.picked || std::abs(inspector.node.at.x / window.client.snapshot().grid().h - 0.5 -
                                          static_cast<double>(peak)) > 0.1) {
         x += 4;
         ASSERT_LT(x, at.field.x + at.field.width);
@@ -348,7 +348,7 @@ TEST(Inspector, SaysWhyThereIsNothingToTell) {
     window.player.step_once();
     ASSERT_TRUE(window.eventually([&] { return window.client.snapshot().explanation.has_value(); }));
     // A flow that is given is not moved.
-    window.view.labs.inspector.node.quantity = Quantity::U;
+    window.view.labs.inspector.node.quantity = field::u;
     EXPECT_TRUE(window.eventually([&] { return !window.client.snapshot().explanation; }));
     window.frame();
 }

@@ -183,7 +183,7 @@ TEST(LanesWindow, OneStrokeOnAnyTileGoesIntoAllLanes) {
         window.view.window = part;
         for (std::size_t lane = 0; lane < 3; ++lane) {
             window.client.restart();
-            ASSERT_TRUE(window.eventually([&] { return window.client.snapshot().density(30, 28) == 0; }));
+            ASSERT_TRUE(window.eventually([&] { return window.client.snapshot().density()(30, 28) == 0; }));
             const PixelRect rect = window.place.tiles[lane].rect;
             // From (22, 28) to (30, 28), length units.
             const auto event = [&](Kind kind, double x) {
@@ -196,14 +196,14 @@ TEST(LanesWindow, OneStrokeOnAnyTileGoesIntoAllLanes) {
             brush.take(event(Kind::Move, 30), window.place);
             brush.take(event(Kind::Release, 30), window.place);
             brush.end_frame(window.client);
-            EXPECT_TRUE(window.eventually([&] { return window.client.snapshot().density(26, 28) > 0.1f; }));
+            EXPECT_TRUE(window.eventually([&] { return window.client.snapshot().density()(26, 28) > 0.1f; }));
             const auto& snapshots = window.client.session().lanes;
             for (int i = 22; i < 30; ++i) {
-                EXPECT_GT(snapshots[0].density(i, 28), 0.1f);
-                EXPECT_EQ(snapshots[1].density(i, 28), snapshots[0].density(i, 28));
-                EXPECT_GT(snapshots[2].density(2 * i, 57), 0.1f);
+                EXPECT_GT(snapshots[0].density()(i, 28), 0.1f);
+                EXPECT_EQ(snapshots[1].density()(i, 28), snapshots[0].density()(i, 28));
+                EXPECT_GT(snapshots[2].density()(2 * i, 57), 0.1f);
             }
-            EXPECT_EQ(snapshots[2].density(16, 16), 0.0f);
+            EXPECT_EQ(snapshots[2].density()(16, 16), 0.0f);
         }
     }
 }
@@ -228,8 +228,8 @@ TEST(LanesWindow, DifferencesAreFromTheReferenceAveragedToTheLane) {
         const Field& of_fine = *view.field(fine, fine_scratch);
         const Field& shown = *window.fields.of(0);
         double largest = 0;
-        for (int j = 0; j < coarse.grid.ny; ++j) {
-            for (int i = 0; i < coarse.grid.nx; ++i) {
+        for (int j = 0; j < coarse.grid().ny; ++j) {
+            for (int i = 0; i < coarse.grid().nx; ++i) {
                 const double mean =
                     0.25 * (static_cast<double>(of_fine(2 * i, 2 * j)) + of_fine(2 * i + 1, 2 * j) +
                             of_fine(2 * i, 2 * j + 1) + of_fine(2 * i + 1, 2 * j + 1));
@@ -272,8 +272,9 @@ TEST(LanesWindow, AStoppedLaneSaysSoAndTheOthersGoOn) {
     // Air so hot that its lift overflows where heat lifts at all.
     all[0].overrides = {{"beta", "1000"}};
     LanesWindow window(ui, {.setup = {.scene = box(40, 40, 20), .lanes = all}});
-    window.client.push(
-        SmokeStroke{.along = {20, 20, 20, 20}, .radius = 3, .density = 1, .temperature = 3e37});
+    window.client.push(SmokeStroke{.along = {20, 20, 20, 20},
+                                   .radius = 3,
+                                   .amounts = {{field::density, 1}, {field::temperature, 3e37}}});
     window.player.play(true);
     ASSERT_TRUE(window.eventually([&] {
         window.player.begin_frame();

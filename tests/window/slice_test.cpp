@@ -27,19 +27,20 @@ constexpr double rounding = 1e-12;  // of fractions and cells in double precisio
 /// A lane of 12 × 9 cells without smoke.
 Snapshot clear_lane(bool periodic) {
     Snapshot lane;
-    lane.grid = {12, 9, 0.5};
-    lane.periodic = periodic;
-    lane.solids.assign(12 * 9, 0);
-    lane.density = Field(12, 9, Site::Centre);
+    lane.state.boundary = Boundary(Grid{12, 9, 0.5}, periodic ? Sides::of<Periodic>() : Sides::of<Box>());
+    lane.state.scalars.push_back(lane.state.boundary.field(Site::Centre));
     return lane;
 }
 
 /// A lane with a solid and smoke that differs from cell to cell.
 Snapshot some_lane(bool periodic) {
     Snapshot lane = clear_lane(periodic);
-    lane.solids[4 * 12 + 7] = 1;
+    std::vector<std::uint8_t> mask(12 * 9, 0);
+    mask[4 * 12 + 7] = 1;
+    lane.state.boundary.set_solids(mask);
     for (int j = 0; j < 9; ++j) {
-        for (int i = 0; i < 12; ++i) lane.density(i, j) = static_cast<Real>(std::sin(1.7 * i + 2.9 * j));
+        for (int i = 0; i < 12; ++i)
+            lane.state.density()(i, j) = static_cast<Real>(std::sin(1.7 * i + 2.9 * j));
     }
     return lane;
 }
@@ -74,11 +75,11 @@ TEST(Slice, ARowsDotsAreItsCellsAndCurvesPassThroughThem) {
     for (const bool periodic : {false, true}) {
         const Snapshot lane = some_lane(periodic);
         FilledFields fields;
-        const Field& filled = fields.of(0, lane, lane.density, 1);
+        const Field& filled = fields.of(0, lane, lane.density(), 1);
         for (const bool vertical : {false, true}) {
             const int across = vertical ? 7 : 4;
             const SliceLine line = vertical ? SliceLine::column(7.3 / 12) : SliceLine::row(4.9 / 9);
-            const SliceCurve cells = cells_along(lane.density, lane, line);
+            const SliceCurve cells = cells_along(lane.density(), lane, line);
             ASSERT_EQ(cells.y.size(), vertical ? 9u : 12u);
             for (std::size_t scheme = 0; scheme < Interpolations::infos.size(); ++scheme) {
                 const SchemeSet schemes = by_interpolation(scheme);
@@ -95,7 +96,7 @@ TEST(Slice, ARowsDotsAreItsCellsAndCurvesPassThroughThem) {
                     EXPECT_EQ(std::isnan(cells.y[k]), solid);
                     EXPECT_EQ(std::isnan(value), solid);
                     if (solid) continue;
-                    EXPECT_EQ(cells.y[k], vertical ? lane.density(across, at) : lane.density(at, across));
+                    EXPECT_EQ(cells.y[k], vertical ? lane.density()(across, at) : lane.density()(at, across));
                     const bool interpolates = schemes.interpolation != Interpolations::of<BSpline>();
                     EXPECT_EQ(value == cells.y[k], interpolates);
                 }
@@ -106,14 +107,14 @@ TEST(Slice, ARowsDotsAreItsCellsAndCurvesPassThroughThem) {
 
 TEST(Slice, APartOfARowHasItsCellsAndNoOthers) {
     const Snapshot lane = some_lane(false);
-    const SliceCurve there = cells_along(lane.density, lane, between({2.25, 3}, {5.75, 3}));
+    const SliceCurve there = cells_along(lane.density(), lane, between({2.25, 3}, {5.75, 3}));
     ASSERT_EQ(there.y.size(), 3u);
-    const SliceCurve back = cells_along(lane.density, lane, between({5.75, 3}, {2.25, 3}));
+    const SliceCurve back = cells_along(lane.density(), lane, between({5.75, 3}, {2.25, 3}));
     ASSERT_EQ(back.y.size(), 3u);
     for (int k = 0; k < 3; ++k) {
-        EXPECT_EQ(there.y[static_cast<std::size_t>(k)], lane.density(3 + k, 3));
+        EXPECT_EQ(there.y[static_cast<std::size_t>(k)], lane.density()(3 + k, 3));
         EXPECT_FLOAT_EQ(there.x[static_cast<std::size_t>(k)], 0.5f * (0.75f + static_cast<float>(k)));
-        EXPECT_EQ(back.y[static_cast<std::size_t>(k)], lane.density(5 - k, 3));
+        EXPECT_EQ(back.y[static_cast<std::size_t>(k)], lane.density()(5 - k, 3));
     }
 }
 
@@ -121,12 +122,12 @@ TEST(Slice, ALineThatAllButRunsAlongARowHasTheRowsValues) {
     for (const bool periodic : {false, true}) {
         const Snapshot lane = some_lane(periodic);
         FilledFields fields;
-        const Field& filled = fields.of(0, lane, lane.density, 1);
+        const Field& filled = fields.of(0, lane, lane.density(), 1);
         constexpr double tilt = 1e-4;  // cells
         const SliceLine row = between({0.5, 2}, {9, 2});
         const SliceLine tilted = between({0.5, 2 - tilt}, {9, 2 + tilt});
         EXPECT_FALSE(tilted.horizontal());
-        EXPECT_TRUE(cells_along(lane.density, lane, tilted).y.empty()) << "no centre lies on it";
+        EXPECT_TRUE(cells_along(lane.density(), lane, tilted).y.empty()) << "no centre lies on it";
         for (std::size_t scheme = 0; scheme < Interpolations::infos.size(); ++scheme) {
             const SliceCurve along = curve_along(filled, lane, row, by_interpolation(scheme), 8);
             const SliceCurve oblique = curve_along(filled, lane, tilted, by_interpolation(scheme), 8);
@@ -148,17 +149,17 @@ RC_GTEST_PROP(Slice, EveryInterpolationIsExactOnALinearField, ()) {
     const double a = *rc::gen::inRange(-50, 51) / 10.0;
     const double b = *rc::gen::inRange(-50, 51) / 10.0;
     for (int j = 0; j < 9; ++j) {
-        for (int i = 0; i < 12; ++i) lane.density(i, j) = static_cast<Real>(a * i + b * j);
+        for (int i = 0; i < 12; ++i) lane.state.density()(i, j) = static_cast<Real>(a * i + b * j);
     }
     FilledFields fields;
-    const Field& filled = fields.of(0, lane, lane.density, 1);
+    const Field& filled = fields.of(0, lane, lane.density(), 1);
     // Two cells from the walls: nearer, ghosts level the field, and the B-spline has weights of its own.
     const auto inner = [](int low, int high) { return *rc::gen::inRange(100 * low, 100 * high) / 100.0; };
     glm::dvec2 from(inner(2, 5), inner(2, 6));
     glm::dvec2 to(inner(6, 9), inner(2, 6));
     if (*rc::gen::arbitrary<bool>()) std::swap(from, to);
     const SliceLine line = between(from, to);
-    const GridLine placed = place_line(line, lane.grid);
+    const GridLine placed = place_line(line, lane.grid());
     for (std::size_t scheme = 0; scheme < Interpolations::infos.size(); ++scheme) {
         const SliceCurve curve = curve_along(filled, lane, line, by_interpolation(scheme), 5);
         for (std::size_t k = 0; k < curve.x.size(); ++k) {
@@ -173,9 +174,9 @@ RC_GTEST_PROP(Slice, EveryInterpolationIsExactOnALinearField, ()) {
 RC_GTEST_PROP(Slice, SamplesAscendFromEndToEndAndLieNoFartherApartThanAsked, ()) {
     const Snapshot lane = clear_lane(true);
     const SliceLine line = any_line();
-    const GridLine placed = place_line(line, lane.grid);
+    const GridLine placed = place_line(line, lane.grid());
     FilledFields fields;
-    const SliceCurve curve = curve_along(fields.of(0, lane, lane.density, 1), lane, line, {}, 4);
+    const SliceCurve curve = curve_along(fields.of(0, lane, lane.density(), 1), lane, line, {}, 4);
     RC_ASSERT(curve.x.front() == 0.0f);
     RC_ASSERT(std::abs(static_cast<double>(curve.x.back()) - placed.length()) <= 8 * epsilon * 8);
     for (std::size_t k = 1; k < curve.x.size(); ++k) {
@@ -189,8 +190,8 @@ TEST(Slice, SolidsAreGapsOfAnObliqueLine) {
     const Snapshot lane = some_lane(false);
     FilledFields fields;
     const SliceLine line = between({5, 2.2}, {9, 5.8});
-    const GridLine placed = place_line(line, lane.grid);
-    const SliceCurve curve = curve_along(fields.of(0, lane, lane.density, 1), lane, line, {}, 16);
+    const GridLine placed = place_line(line, lane.grid());
+    const SliceCurve curve = curve_along(fields.of(0, lane, lane.density(), 1), lane, line, {}, 16);
     int gaps = 0;
     for (std::size_t k = 0; k < curve.x.size(); ++k) {
         const glm::dvec2 at = placed.at(static_cast<double>(curve.x[k]) / placed.length());
@@ -368,7 +369,7 @@ TEST(SliceWindow, SnapsWithinThreePixelsAndKeepsACell) {
     s.drag(s.on(0, s.lab.line.to.x, s.lab.line.to.y), s.on(0, 0.7, s.lab.line.to.y) + glm::dvec2(0, 6));
     EXPECT_FALSE(s.lab.line.horizontal());
     s.drag(s.on(0, s.lab.line.to.x, s.lab.line.to.y), s.on(0, s.lab.line.from.x, s.lab.line.from.y));
-    EXPECT_NEAR(place_line(s.lab.line, s.window.client.session().lanes[0].grid).cells(), 1, rounding);
+    EXPECT_NEAR(place_line(s.lab.line, s.window.client.session().lanes[0].grid()).cells(), 1, rounding);
 }
 
 TEST(SliceWindow, NoSmokeIsPaintedWhileTheLineIsHeld) {
