@@ -77,10 +77,15 @@ void add_draw(CLI::App& verb, DrawArguments& draw) {
     verb.add_flag("--crisp", draw.crisp, "cells as squares of one colour");
 }
 
-void add_outputs(CLI::App& verb, RunArguments& run) {
-    verb.add_option("--csv", run.csv, "write a row a step; - is standard output")
-        ->type_name("FILE|-")
+void add_csv(CLI::App& verb, std::string& csv, std::string& measures, const char* help) {
+    verb.add_option("--csv", csv, help)->type_name("FILE|-")->check(named());
+    verb.add_option("--measures", measures, "the columns of --csv; `whorl list measures` shows them")
+        ->type_name("KEY,KEY...")
         ->check(named());
+}
+
+void add_outputs(CLI::App& verb, RunArguments& run) {
+    add_csv(verb, run.csv, run.measures, "write a row a step; - is standard output");
     verb.add_option("--picture", run.picture,
                     "draw the last step as a PNG, which `whorl FILE.png` opens again")
         ->type_name("FILE.png")
@@ -245,9 +250,8 @@ Arguments parse_arguments(int argc, char** argv) {
     compare_verb->add_option("--at", compare_at, "steps to show; 120,240,360,480,600 if not given")
         ->type_name("STEP,STEP...");
     compare_verb->add_option("--out", compare.out, "the sheet")->type_name("FILE.png")->check(named());
-    compare_verb->add_option("--csv", compare.csv, "write a row a step and lane; - is standard output")
-        ->type_name("FILE|-")
-        ->check(named());
+    add_csv(*compare_verb, compare.csv, compare.measures,
+            "write a row a step and lane; - is standard output");
     add_set(*compare_verb, compare.set);
     add_draw(*compare_verb, compare.draw);
     add_threads(*compare_verb, compare.threads);

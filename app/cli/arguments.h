@@ -39,6 +39,7 @@ struct RunArguments {
     std::optional<int> steps;
     std::vector<int> at;
     std::string csv, picture, timing;  ///< files; empty for none, `-` for standard output
+    std::string measures;              ///< columns of csv, as "a,b"; empty for the usual ones
     std::string save;                  ///< file that the run is written to
     std::string animate;               ///< film; empty for none
     int every = 2, fps = 30;           ///< steps a frame, frames a second
@@ -54,7 +55,7 @@ struct CompareArguments {
     std::vector<std::string> set;
     std::string lanes;
     std::vector<int> at;
-    std::string out, csv;
+    std::string out, csv, measures;
     DrawArguments draw;
     int threads = 0;
 };

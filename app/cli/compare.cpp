@@ -1,8 +1,10 @@
 // `whorl compare`: a contact sheet, and the numbers beside it.
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 
+#include "app/cli/columns.h"
 #include "app/cli/headless.h"
 #include "app/cli/progress.h"
 #include "app/cli/verbs.h"
@@ -13,46 +15,56 @@
 namespace whorl::app {
 namespace {
 
-/// The effective viscosity of each lane, meant over the steps since it was last asked for: a single step's
-/// says more of that step than of the scheme.
-class Viscosities {
+/// The rows of a table: what says little of one step is meant over the steps since the last row.
+class CompareRows {
   public:
-    explicit Viscosities(std::size_t lanes) : sums_(lanes), steps_(lanes) {}
+    /// @throws std::runtime_error as Series
+    CompareRows(const std::string& file, Columns columns)
+        : columns_(std::move(columns)), csv_(file, "lane," + columns_.header()) {}
+
     void add(const Session& session) {
-        for (std::size_t k = 0; k < sums_.size(); ++k) {
-            const double viscosity = session.measures(k).effective_viscosity;
-            if (!std::isfinite(viscosity)) continue;
-            sums_[k] += viscosity;
-            steps_[k] += 1;
+        for (std::size_t k = 0; k < session.lane_count(); ++k) {
+            std::vector<Sum>& sums = sums_of(session.id(k));
+            for (std::size_t c = 0; c < sums.size(); ++c) {
+                const Measure& measure = *columns_.all()[c];
+                if (measure.mean == Mean::OverSteps) sums[c].add(measure.value(session.measures(k)));
+            }
         }
     }
-    double take(std::size_t k) { return std::exchange(sums_[k], 0) / std::exchange(steps_[k], 0); }
+    void write(const Session& session) {
+        const std::vector<std::string> names = titles(session.setup());
+        for (std::size_t k = 0; k < session.lane_count(); ++k) {
+            std::vector<Sum>& sums = sums_of(session.id(k));
+            std::vector<double> row = columns_.row(session.step_number(), session.measures(k));
+            const std::size_t first = row.size() - sums.size();
+            for (std::size_t c = 0; c < sums.size(); ++c) {
+                if (columns_.all()[c]->mean == Mean::OverSteps) row[first + c] = sums[c].take();
+            }
+            csv_.row({names[k]}, row);
+        }
+    }
+    void finish() { csv_.finish(); }
 
   private:
-    std::vector<double> sums_, steps_;
-};
+    struct Sum {
+        double sum = 0, count = 0;
+        void add(double value) {
+            if (!std::isfinite(value)) return;
+            sum += value;
+            count += 1;
+        }
+        double take() { return std::exchange(sum, 0) / std::exchange(count, 0); }
+    };
 
-constexpr const char* columns =
-    "lane,step,time,density_percent,kinetic_energy,enstrophy,min,max,L1,L2,Linf,effective_viscosity";
-
-void write_rows(Series& csv, const SessionSnapshot& s, Viscosities& viscosities) {
-    const std::vector<std::string> names = titles(s.setup);
-    for (std::size_t k = 0; k < s.lanes.size(); ++k) {
-        const Measures& m = s.lanes[k].measures;
-        const double row[] = {static_cast<double>(s.step),
-                              m.time,
-                              m.density_percent,
-                              m.kinetic_energy,
-                              m.enstrophy,
-                              m.min_density,
-                              m.max_density,
-                              m.errors.L1,
-                              m.errors.L2,
-                              m.errors.Linf,
-                              viscosities.take(k)};
-        csv.row({names[k]}, row);
+    /// One for each column.
+    std::vector<Sum>& sums_of(int lane) {
+        return sums_.try_emplace(lane, columns_.all().size()).first->second;
     }
-}
+
+    Columns columns_;
+    Series csv_;
+    std::map<int, std::vector<Sum>> sums_;  // by Session::id
+};
 
 /// A scene of a single lane is compared by the schemes of the thesis.
 std::string lanes_for(const CompareArguments& arguments) {
@@ -71,7 +83,10 @@ int run_compare(const CompareArguments& arguments) {
         throw InputError("give --out FILE.png for the sheet, --csv FILE for its numbers, or both");
     const Recording recording = recording_for(arguments.scene, lanes_for(arguments), arguments.set);
     if (!arguments.out.empty()) check_picture("--out", arguments.out);
-    std::optional<Series> csv;
+    const Columns columns(&Tables::compare, arguments.measures);
+    if (!arguments.measures.empty() && arguments.csv.empty())
+        throw InputError("--measures picks the columns of --csv; give --csv FILE too");
+    std::optional<CompareRows> csv;
     if (!arguments.csv.empty()) csv.emplace(arguments.csv, columns);
 
     Pool pool(arguments.threads);
@@ -79,19 +94,19 @@ int run_compare(const CompareArguments& arguments) {
     if (!arguments.out.empty()) drawing.emplace(arguments.draw);
     Session session(recording, pool);
     std::vector<SessionSnapshot> rows;
-    Viscosities viscosities(session.lane_count());
+    session.watch_limiters(csv && columns.need(Needs::LimiterMasks));
     {
         Progress progress(arguments.scene, at.back());
         for (const int step : at) {
             while (session.step_number() < step) {
                 session.step();
-                viscosities.add(session);
+                if (csv) csv->add(session);
                 progress.at(session.step_number());
             }
             SessionSnapshot& row = rows.emplace_back();
             take_shown(session, view(arguments.draw.view), rows.size() > 1 ? rows[rows.size() - 2] : row,
                        pool, row);
-            if (csv) write_rows(*csv, row, viscosities);
+            if (csv) csv->write(session);
         }
     }
     if (csv) {

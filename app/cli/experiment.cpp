@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "app/cli/columns.h"
 #include "app/cli/headless.h"
 #include "app/cli/progress.h"
 #include "app/cli/verbs.h"
@@ -10,16 +11,6 @@
 #include "core/io/series.h"
 
 namespace whorl::app {
-namespace {
-
-void write_row(Series& csv, const Measures& m) {
-    const double row[] = {
-        static_cast<double>(m.step), m.time,        m.errors.L1,  m.errors.L2, m.errors.Linf,
-        m.density_percent,           m.min_density, m.max_density};
-    csv.row(row);
-}
-
-}  // namespace
 
 int run_experiment(const ExperimentArguments& arguments) {
     Scene scene = experiment_scene(arguments.scene);
@@ -31,23 +22,26 @@ int run_experiment(const ExperimentArguments& arguments) {
     if (steps < 0 || std::any_of(at.begin(), at.end(), [](int step) { return step < 0; })) {
         throw InputError("a step is a whole number, 0 or more");
     }
+    Columns columns(&Tables::experiment, arguments.measures);
+    if (arguments.measures.empty()) columns.errors_first();
     if (!arguments.picture.empty()) check_picture("--picture", arguments.picture);
     std::optional<Drawing> drawing;
     if (!arguments.picture.empty()) drawing.emplace(arguments.draw);
 
     Pool pool(arguments.threads);
     Session session({.setup = {.scene = scene}}, pool);
+    session.watch_limiters(columns.need(Needs::LimiterMasks));
     std::optional<Series> csv;
     // Rows are what an experiment is run for: they go to standard output unless something else was asked for.
     const std::string file = arguments.csv.empty() && arguments.picture.empty() ? "-" : arguments.csv;
-    if (!file.empty()) csv.emplace(file, "step,time,L1,L2,Linf,density_percent,min,max");
+    if (!file.empty()) csv.emplace(file, columns.header());
     {
         Progress progress(arguments.scene, steps);
         for (int step = 0; step <= steps; ++step) {
             if (step > 0) session.step();
             if (!session.sound()) throw NotFinite(*session.lane(0).failure());
             const bool wanted = at.empty() ? step > 0 : std::find(at.begin(), at.end(), step) != at.end();
-            if (csv && wanted) write_row(*csv, session.measures(0));
+            if (csv && wanted) csv->row(columns.row(step, session.measures(0)));
             progress.at(step);
         }
     }

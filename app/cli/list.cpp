@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/suggest.h"
 #include "core/experiments/experiment.h"
+#include "core/measure/measure.h"
 #include "core/scene/parameters.h"
 
 namespace whorl::app {
@@ -85,6 +86,13 @@ std::vector<Row> map_rows() {
     return rows;
 }
 
+std::vector<Row> measure_rows() {
+    std::vector<Row> rows{{"key", "unit", "meaning", "source"}};
+    for (const Measure* m : measures().all())
+        rows.push_back({m->key, m->unit.empty() ? "–" : m->unit, m->help, m->source});
+    return rows;
+}
+
 std::vector<Row> parameter_rows() {
     std::vector<Row> rows{{"key", "default", "range", "unit", "meaning"}};
     for (const Parameter& p : parameters()) {
@@ -123,6 +131,7 @@ constexpr Listing listings[] = {
     {"sides", [] { return choice_rows("sides"); }},
     {"pressures", [] { return choice_rows("pressure"); }},
     {"maps", map_rows},
+    {"measures", measure_rows},
     {"parameters", parameter_rows},
 };
 

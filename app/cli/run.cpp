@@ -72,6 +72,8 @@ void check(const RunArguments& a) {
         throw InputError("--save = " + a.save + ": runs are TOML; give a name that ends in .toml");
     if (a.limiters && a.csv.empty())
         throw InputError("--limiters adds to the rows of --csv; give --csv FILE too");
+    if (!a.measures.empty() && a.csv.empty())
+        throw InputError("--measures picks the columns of --csv; give --csv FILE too");
     for (const std::string& file : {a.csv, a.timing, a.save}) {
         if (!file.empty() && file != "-") check_writable(file);
     }
@@ -122,6 +124,8 @@ int run_scene(const RunArguments& arguments) {
     const long own = recording.step > 0 ? recording.step : recording.setup.scene.steps;
     const long steps = arguments.steps ? *arguments.steps : own;
     check(arguments);
+    Columns columns(&Tables::run, arguments.measures,
+                    arguments.limiters ? Needs::LimiterMasks : Needs::Nothing);
 
     Pool pool(arguments.threads);
     std::optional<Drawing> drawing;
@@ -131,8 +135,10 @@ int run_scene(const RunArguments& arguments) {
     if (!arguments.animate.empty()) film.emplace(arguments, pool);
     RowNames names(recording);
     std::optional<Rows> csv;
-    if (!arguments.csv.empty()) csv.emplace(arguments.csv, names, arguments.limiters);
-    session.watch_limiters(csv && arguments.limiters);
+    if (!arguments.csv.empty()) {
+        session.watch_limiters(columns.need(Needs::LimiterMasks));
+        csv.emplace(arguments.csv, names, std::move(columns));
+    }
     Timings timings(names);
     {
         Progress progress(arguments.scene, steps);

@@ -1,14 +1,11 @@
 #include "app/cli/run_tables.h"
 
 #include <algorithm>
-#include <span>
 #include <utility>
 #include <variant>
 
 namespace whorl::app {
 namespace {
-
-constexpr const char* columns = "step,time,density_percent,kinetic_energy,enstrophy,max_divergence,min,max";
 
 /// @param values  one or more
 double median(std::vector<double> values) {
@@ -41,30 +38,18 @@ std::string RowNames::unused(const std::string& title) const {
     return name;
 }
 
-Rows::Rows(const std::string& file, RowNames& names, bool limited)
+Rows::Rows(const std::string& file, RowNames& names, Columns columns)
     : names_(names),
-      limited_(limited),
-      series_(file, std::string(names.several() ? "lane," : "") + columns +
-                        (limited ? ",limited_density,limited_velocity" : "")) {}
+      columns_(std::move(columns)),
+      series_(file, (names.several() ? "lane," : "") + columns_.header()) {}
 
 void Rows::add(const Session& session) {
     for (std::size_t k = 0; k < session.lane_count(); ++k) {
-        const Measures& m = session.measures(k);
-        const double row[] = {static_cast<double>(session.step_number()),
-                              m.time,
-                              m.density_percent,
-                              m.kinetic_energy,
-                              m.enstrophy,
-                              m.divergence_after,
-                              m.min_density,
-                              m.max_density,
-                              m.limited.density,
-                              m.limited.velocity};
-        const std::span<const double> shown = std::span(row).first(std::size(row) - (limited_ ? 0 : 2));
+        const std::vector<double>& row = columns_.row(session.step_number(), session.measures(k));
         if (names_.several()) {
-            series_.row({names_.of(session, k)}, shown);
+            series_.row({names_.of(session, k)}, row);
         } else {
-            series_.row(shown);
+            series_.row(row);
         }
     }
 }
@@ -72,8 +57,10 @@ void Rows::add(const Session& session) {
 void Timings::add(const Session& session) {
     for (std::size_t k = 0; k < session.lane_count(); ++k) {
         Lane& lane = lanes_[session.id(k)];
-        if (lane.steps.empty()) lane.name = names_.of(session, k);
-        lane.steps.push_back({session.measures(k).ms, session.measures(k).pressure});
+        if (lane.values.empty()) lane.name = names_.of(session, k);
+        lane.values.resize(columns_.all().size());
+        for (std::size_t c = 0; c < lane.values.size(); ++c)
+            lane.values[c].push_back(columns_.all()[c]->value(session.measures(k)));
     }
 }
 
@@ -81,25 +68,15 @@ void Timings::write(const std::string& file) const {
     Series series(file, names_.several() ? "lane,phase,median_ms" : "phase,median_ms");
     for (const auto& entry : lanes_) {
         const Lane& lane = entry.second;
-        const auto row = [&](std::string_view phase, auto&& figure) {
-            std::vector<double> values(lane.steps.size());
-            std::transform(lane.steps.begin(), lane.steps.end(), values.begin(), figure);
-            const double value = median(std::move(values));
+        for (std::size_t c = 0; c < lane.values.size(); ++c) {
+            const double value = median(lane.values[c]);
+            const std::string& phase = columns_.all()[c]->label();
             if (names_.several()) {
                 series.row({lane.name, phase}, {&value, 1});
             } else {
                 series.row({phase}, {&value, 1});
             }
-        };
-        row("forces", [](const Step& s) { return s.ms.forces; });
-        row("projection", [](const Step& s) { return s.ms.projection; });
-        row("advection", [](const Step& s) { return s.ms.advection; });
-        row("total", [](const Step& s) { return s.ms.total; });
-        // Within the projection; the last two are no times.
-        row("pressure_setup", [](const Step& s) { return s.pressure.setup_ms; });
-        row("pressure_solve", [](const Step& s) { return s.pressure.solve_ms; });
-        row("pressure_iterations", [](const Step& s) { return s.pressure.iterations; });
-        row("pressure_residual", [](const Step& s) { return s.pressure.residual; });
+        }
     }
     series.finish();
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/columns.h"
 #include "core/io/series.h"
 #include "core/session/session.h"
 
@@ -29,19 +30,19 @@ class RowNames {
 class Rows {
   public:
     /// @param file  or `-` for standard output
-    /// @param limited  adds the numbers of nodes that limiters changed
     /// @throws std::runtime_error as Series
-    Rows(const std::string& file, RowNames& names, bool limited);
+    Rows(const std::string& file, RowNames& names, Columns columns);
     void add(const Session& session);
     void finish() { series_.finish(); }
 
   private:
     RowNames& names_;
-    bool limited_;
+    Columns columns_;
     Series series_;
 };
 
-/// Median times over the steps of a run, ms, phase by phase, lane by lane.
+/// Medians over the steps of a run of the times that its phases took, and of what else has its row there,
+/// lane by lane.
 class Timings {
   public:
     explicit Timings(RowNames& names) : names_(names) {}
@@ -50,16 +51,13 @@ class Timings {
     void write(const std::string& file) const;
 
   private:
-    struct Step {
-        PhaseTimes ms;
-        SolveReport pressure;
-    };
     struct Lane {
         std::string name;
-        std::vector<Step> steps;
+        std::vector<std::vector<double>> values;  // of each column, step by step
     };
 
     RowNames& names_;
+    Columns columns_{&Tables::timing, ""};
     std::map<int, Lane> lanes_;  // by Session::id
 };
 

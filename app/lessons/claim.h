@@ -2,29 +2,18 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 
-#include "core/measure/measures.h"
+#include "core/measure/measure.h"
 #include "core/session/setup.h"
 
 namespace whorl::app {
 
-/// A number that can be stated of a lane at a step.
-struct Quantity {
-    std::string_view key;  ///< as in the columns of `whorl compare --csv`
-    double (*of)(const Measures&);
-    bool mean;  ///< over the steps up to then: a single step's says more of that step than of the scheme
-};
+/// The measure of a key.  @throws InputError that names the nearest keys, and for times
+const Measure& claimed_measure(std::string_view key);
 
-/// All quantities.
-std::span<const Quantity> quantities();
-
-/// @throws InputError that names the nearest keys
-const Quantity& quantity(std::string_view key);
-
-/// A quantity of a lane at a step, or its ratio to that of another lane or step, and between which numbers
+/// A measure of a lane at a step, or its ratio to that of another lane or step, and between which numbers
 /// it is said to lie.
 struct Claim {
     /// Of what: a lane, as a place in the setup's, and a step.
@@ -33,7 +22,7 @@ struct Claim {
         long step = 0;
         bool operator==(const Place&) const = default;
     };
-    const Quantity* quantity = nullptr;
+    const Measure* measure = nullptr;
     Place place;
     std::optional<Place> over;  ///< what it is divided by
     double least, most;

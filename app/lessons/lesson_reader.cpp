@@ -80,7 +80,7 @@ std::size_t read_lane_name(const TomlReader& reader, const node& at, const std::
 Claim read_claim(const TomlReader& reader, const table& from, const LessonStep& step) {
     constexpr double unlimited = std::numeric_limits<double>::infinity();
     const Setup& setup = step.recording.setup;
-    Claim claim{.quantity = nullptr,
+    Claim claim{.measure = nullptr,
                 .place = {0, step.recording.step},
                 .over = {},
                 .least = -unlimited,
@@ -93,20 +93,21 @@ Claim read_claim(const TomlReader& reader, const table& from, const LessonStep& 
     const auto to_lane = [&](std::optional<std::size_t>& out, const std::string& key) {
         return [&, key](const node& n) { out = read_lane_name(reader, n, key, setup); };
     };
-    reader.keys(
-        from, {{"measure",
-                [&](const node& n) {
-                    const std::string key = reader.string(n, "measure");
-                    claim.quantity = &located(reader, n, [&]() -> const Quantity& { return quantity(key); });
-                }},
-               {"lane", to_lane(lane, "lane")},
-               {"at", [&](const node& n) { claim.place.step = reader.integer(n, "at", 0, max_run); }},
-               {"over_lane", to_lane(over_lane, "over_lane")},
-               {"over_at", [&](const node& n) { over_step = reader.integer(n, "over_at", 0, max_run); }},
-               {"is", [&](const node& n) { is = reader.number(n, "is"); }},
-               {"within", [&](const node& n) { within = reader.number(n, "within"); }},
-               {"at_least", [&](const node& n) { claim.least = reader.number(n, "at_least"); }},
-               {"at_most", [&](const node& n) { claim.most = reader.number(n, "at_most"); }}});
+    reader.keys(from,
+                {{"measure",
+                  [&](const node& n) {
+                      const std::string key = reader.string(n, "measure");
+                      claim.measure =
+                          &located(reader, n, [&]() -> const Measure& { return claimed_measure(key); });
+                  }},
+                 {"lane", to_lane(lane, "lane")},
+                 {"at", [&](const node& n) { claim.place.step = reader.integer(n, "at", 0, max_run); }},
+                 {"over_lane", to_lane(over_lane, "over_lane")},
+                 {"over_at", [&](const node& n) { over_step = reader.integer(n, "over_at", 0, max_run); }},
+                 {"is", [&](const node& n) { is = reader.number(n, "is"); }},
+                 {"within", [&](const node& n) { within = reader.number(n, "within"); }},
+                 {"at_least", [&](const node& n) { claim.least = reader.number(n, "at_least"); }},
+                 {"at_most", [&](const node& n) { claim.most = reader.number(n, "at_most"); }}});
     required(reader, from, "measure", "a claim");
     if (!lane && setup.lanes.size() > 1) required(reader, from, "lane", "a claim about several lanes");
     claim.place.lane = lane.value_or(0);

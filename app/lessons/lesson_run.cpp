@@ -11,9 +11,13 @@ namespace whorl::app {
 void LessonRun::enter(const LessonStep& step) {
     Recording recording = step.recording;
     recording.step = 0;
-    if (!session_ || !(recording == begun_)) {
+    const bool limiters = std::any_of(step.claims.begin(), step.claims.end(), [](const Claim& claim) {
+        return claim.measure->needs == Needs::LimiterMasks;
+    });
+    if (!session_ || !(recording == begun_) || (limiters && !session_->watches_limiters())) {
         session_.reset();
         session_.emplace(recording, pool_);
+        session_->watch_limiters(limiters);
         begun_ = std::move(recording);
         measures_.clear();
     }
@@ -39,15 +43,15 @@ void LessonRun::run_to(long step) {
     }
 }
 
-double LessonRun::measure(const Quantity& quantity, const Claim::Place& place) const {
+double LessonRun::measure(const Measure& measure, const Claim::Place& place) const {
     const auto at = [&](std::size_t step) {
         const std::vector<Measures>& lanes = measures_[step];
         // A recorded command may have taken the lane away.
-        return place.lane < lanes.size() ? quantity.of(lanes[place.lane])
+        return place.lane < lanes.size() ? measure.value(lanes[place.lane])
                                          : std::numeric_limits<double>::quiet_NaN();
     };
     const auto last = static_cast<std::size_t>(place.step);
-    if (!quantity.mean) return at(last);
+    if (measure.mean != Mean::OverSteps) return at(last);
     double sum = 0, steps = 0;
     for (std::size_t step = 1; step <= last; ++step) {
         if (!std::isfinite(at(step))) continue;
@@ -58,8 +62,8 @@ double LessonRun::measure(const Quantity& quantity, const Claim::Place& place) c
 }
 
 double LessonRun::measure(const Claim& claim) const {
-    const double value = measure(*claim.quantity, claim.place);
-    return claim.over ? value / measure(*claim.quantity, *claim.over) : value;
+    const double value = measure(*claim.measure, claim.place);
+    return claim.over ? value / measure(*claim.measure, *claim.over) : value;
 }
 
 SessionSnapshot LessonRun::look(const LessonStep& step) {

@@ -63,6 +63,17 @@ int add_vectors(const CellRow& cells, int count, RowSums& row) {
 
 }  // namespace
 
+PhaseShare Measures::phase(std::string_view key) const {
+    const auto share = [&](double PhaseTimes::*taken, double PhaseChanges::*change) {
+        return PhaseShare{ms.*taken, energy_changes.*change, enstrophy_changes.*change};
+    };
+    if (key == "forces") return share(&PhaseTimes::forces, &PhaseChanges::forces);
+    if (key == "projection") return share(&PhaseTimes::projection, &PhaseChanges::projection);
+    if (key == "advection") return share(&PhaseTimes::advection, &PhaseChanges::advection);
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    return {unknown, unknown, unknown};
+}
+
 void Meter::measure(const State& state, const FlowSums& flow, double dt, Pool& pool, Measures& out) {
     const Grid& grid = state.grid();
     const Boundary& boundary = state.boundary;

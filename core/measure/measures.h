@@ -35,6 +35,12 @@ struct LimiterCounts {
     double velocity = std::numeric_limits<double>::quiet_NaN();
 };
 
+/// What one phase did in a step.
+struct PhaseShare {
+    double ms = 0;
+    double energy = 0, enstrophy = 0;  ///< added to ½∫|u|² and ½∫ω²; NaN where the flow is given
+};
+
 struct Measures {
     long step = 0;
     double time = 0;
@@ -55,6 +61,9 @@ struct Measures {
     std::string_view pressure_why_not;  ///< why another pressure solver than the chosen one acted, or empty
     SolveReport pressure;     ///< of the last projection; its solver's key is empty if there was none
     double removed_mean = 0;  ///< divergence taken out of a closed component, 1/time
+
+    /// What a phase did in the last step, by its key: all NaN where the step had none of that key.
+    PhaseShare phase(std::string_view key) const;
 };
 
 /// Names the first field that holds a value that is not finite, and where; empty if all is well.

@@ -10,8 +10,22 @@ TEST_F(CommandLine, RunsAPresetAndWritesARowAStep) {
     EXPECT_EQ(o.code, 0);
     EXPECT_EQ(o.lines(), 6u) << o.out;
     EXPECT_TRUE(o.out.starts_with(
-        "step,time,density_percent,kinetic_energy,enstrophy,max_divergence,min,max\n1,0.01666"))
+        "step,time,density_percent,kinetic_energy,enstrophy,max_divergence,min,max,L1,L2,Linf\n1,0.01666"))
         << o.out;
+}
+
+TEST_F(CommandLine, PicksTheColumnsOfATable) {
+    const Outcome run =
+        whorl("run plume --steps 1 --set resolution=16 --csv - --measures max,limited_velocity,l1");
+    EXPECT_EQ(run.code, 0);
+    EXPECT_TRUE(run.out.starts_with("step,time,max,limited_velocity,L1\n1,0.0166666667,0.5,10,\n"))
+        << run.out;
+    EXPECT_TRUE(whorl("experiment rest --at 1 --measures cfl").out.starts_with("step,time,cfl\n1,"));
+    EXPECT_TRUE(whorl("compare plume --at 1 --set resolution=16 --csv - --measures enstrophy")
+                    .out.starts_with("lane,step,time,enstrophy\nSL-LIN,1,"));
+    expect_refused(whorl("run plume --steps 1 --csv - --measures enstrohpy"),
+                   "unknown measure \"enstrohpy\"; did you mean enstrophy?");
+    expect_refused(whorl("run plume --steps 1 --measures min"), "give --csv FILE too");
 }
 
 TEST_F(CommandLine, SaysSoWhereThereIsNoSmoke) {

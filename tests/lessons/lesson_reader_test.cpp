@@ -160,6 +160,8 @@ TEST(LessonReader, NamesTheLineOfWhatIsWrong) {
         {"claim = 3", "l.toml:8:9: claim is a list"},
         {"[[step.claim]]\nis = 3\nwithin = 1", "l.toml:8:1: a claim has no measure"},
         {"[[step.claim]]\nmeasure = \"L3\"\nis = 3\nwithin = 1", "l.toml:9:11: unknown measure \"L3\""},
+        {"[[step.claim]]\nmeasure = \"step_ms\"\nis = 3\nwithin = 1",
+         "l.toml:9:11: step_ms is a time of the machine's"},
         {"[[step.claim]]\nmeasure = \"L1\"\nis = 3", "l.toml:8:1: a claim says is and within"},
         {"[[step.claim]]\nmeasure = \"L1\"", "l.toml:8:1: a claim says is and within"},
         {"[[step.claim]]\nmeasure = \"L1\"\nis = 3\nwithin = -1", "l.toml:8:1: a claim says is and within"},

@@ -70,6 +70,16 @@ measure = "L1"
 lane = "MC"
 at = 3
 at_most = 1
+[[step.claim]]
+measure = "limited_density"
+lane = "MC"
+at = 5
+at_least = 0
+[[step.claim]]
+measure = "divergence_after"
+lane = "MC"
+at = 5
+at_most = 1
 )";
 
 TEST(LessonRun, MeasuresWhatASessionMeasures) {
@@ -93,6 +103,8 @@ TEST(LessonRun, MeasuresWhatASessionMeasures) {
     // The second step goes on with the first one's run.
     run.enter(two);
     EXPECT_EQ(run.measure(two.claims[0]), expected[3][1].errors.L1);
+    EXPECT_GE(run.measure(two.claims[1]), 0) << "what is not watched of itself is watched where a claim asks";
+    EXPECT_EQ(run.measure(two.claims[2]), expected[5][1].divergence_after);
     const SessionSnapshot snapshot = run.look(two);
     EXPECT_EQ(snapshot.step, 12);
     EXPECT_EQ(snapshot.digest(), session.digest());

@@ -1,0 +1,316 @@
+// The list of measures.
+#include <deque>
+
+#include "core/measure/measure.h"
+
+namespace whorl {
+namespace {
+
+/// A member of the step's record, or of a member of it.
+template <class T>
+auto of(T Measures::*member) {
+    return [member](const Measures& m) { return static_cast<double>(m.*member); };
+}
+template <class Part, class T>
+auto of(Part Measures::*part, T Part::*member) {
+    return [part, member](const Measures& m) { return static_cast<double>(m.*part.*member); };
+}
+
+constexpr Tables only_run{.run = true, .compare = false, .experiment = false};
+constexpr Tables no_table{.run = false, .compare = false, .experiment = false};
+constexpr Tables only_timing{.run = false, .compare = false, .experiment = false, .timing = true};
+const Plotting no_plot{.page = Page::None};
+const Column no_column{.group = ""};
+
+std::vector<Measure> smoke() {
+    return {
+        {.key = "density_percent",
+         .title = "Total smoke",
+         .unit = "%",
+         .help = "Total smoke: what is left of what was put in",
+         .source = "thesis eq. 5.5",
+         .value = of(&Measures::density_percent),
+         .best = Best::NearestHundred,
+         .plot = {.label = "of what was put in", .scale = Scale::Percent},
+         .column = {"Smoke", "total, %"},
+         .headline = {"Σρ", 4, " %"}},
+    };
+}
+
+std::vector<Measure> flow() {
+    return {
+        {.key = "kinetic_energy",
+         .title = "Kinetic energy",
+         .unit = "length⁴/time²",
+         .help = "Kinetic energy, ½∫|u|²",
+         .needs = Needs::SolvedFlow,
+         .value = of(&Measures::kinetic_energy),
+         .tables = {.experiment = false},
+         .plot = {.label = "½∫|u|²", .unit = false},
+         .column = {"Flow", "energy"}},
+        {.key = "enstrophy",
+         .title = "Enstrophy",
+         .unit = "length²/time²",
+         .help = "½∫ω²",
+         .needs = Needs::SolvedFlow,
+         .value = of(&Measures::enstrophy),
+         .tables = {.experiment = false},
+         .plot = {.label = "½∫ω²", .unit = false},
+         .column = {"Flow", "enstrophy"}},
+        {.key = "cfl",
+         .title = "CFL number",
+         .unit = "",
+         .help = "The largest speed, in cells a step",
+         .value = of(&Measures::cfl),
+         .tables = no_table,
+         .plot = no_plot,
+         .column = no_column,
+         .headline = {"CFL", 3, ""}},
+        {.key = "max_divergence",
+         .aliases = {"divergence_after"},
+         .title = "Largest divergence",
+         .unit = "1/time",
+         .help = "Largest |∇·u| after the projection",
+         .needs = Needs::SolvedFlow,
+         .value = of(&Measures::divergence_after),
+         .tables = only_run,
+         .plot = {.chart = "Max |∇·u|", .label = "after", .scale = Scale::Logarithmic},
+         .column = no_column,
+         .headline = {"max|∇·u|", 2, ""}},
+    };
+}
+
+std::vector<Measure> extrema_and_limiters() {
+    return {
+        {.key = "min",
+         .title = "Smallest density",
+         .unit = "",
+         .help = "Smallest density",
+         .value = of(&Measures::min_density),
+         .plot = {.chart = "Density",
+                  .label = "min",
+                  .colour = 1,
+                  .scale = Scale::Density,
+                  .lanes_chart = "Smallest density"},
+         .column = {"Smoke", "min"}},
+        {.key = "max",
+         .title = "Largest density",
+         .unit = "",
+         .help = "Largest density",
+         .value = of(&Measures::max_density),
+         .plot =
+             {.chart = "Density", .label = "max", .scale = Scale::Density, .lanes_chart = "Largest density"},
+         .column = {"Smoke", "max"}},
+        {.key = "limited_density",
+         .title = "Limited nodes of smoke",
+         .unit = "",
+         .help = "Nodes at which a limiter, or a clamped interpolation, changed the density in the last step",
+         .needs = Needs::LimiterMasks,
+         .value = of(&Measures::limited, &LimiterCounts::density),
+         .tables = no_table,
+         .plot = {.chart = "Limited nodes", .label = "smoke", .lanes_chart = "Limited nodes of smoke"},
+         .column = no_column},
+        {.key = "limited_velocity",
+         .title = "Limited faces",
+         .unit = "",
+         .help =
+             "Faces of both directions at which a limiter, or a clamped interpolation, changed the velocity "
+             "in the last step",
+         .needs = Needs::LimiterMasks,
+         .value = of(&Measures::limited, &LimiterCounts::velocity),
+         .tables = no_table,
+         .plot = {.chart = "Limited nodes", .label = "velocity", .colour = 1},
+         .column = no_column},
+    };
+}
+
+Measure error(std::string key, std::string label, int colour, double Errors::*norm, std::string unit,
+              std::string help, std::string source) {
+    std::string alias = key;
+    alias.front() = 'l';
+    return {.key = std::move(key),
+            .aliases = {std::move(alias)},
+            .title = "Error " + label,
+            .unit = std::move(unit),
+            .help = std::move(help),
+            .source = std::move(source),
+            .needs = Needs::Reference,
+            .value = of(&Measures::errors, norm),
+            .best = Best::Least,
+            .plot = {.chart = "Error",
+                     .label = label,
+                     .colour = colour,
+                     .scale = Scale::Logarithmic,
+                     .unit = false,
+                     .lanes_chart = "Error " + label},
+            .column = {"Error", label}};
+}
+
+std::vector<Measure> errors() {
+    return {
+        error("L1", "L1", 0, &Errors::L1, "length²",
+              "Mean error against the exact solution or the reference lane", "thesis eq. 5.4"),
+        error("L2", "L2", 1, &Errors::L2, "length", "Root of the mean square error", "thesis eq. 5.6"),
+        error("Linf", "L∞", 2, &Errors::Linf, "", "Largest error", "thesis eq. 5.7"),
+    };
+}
+
+std::vector<Measure> dissipation_and_projection() {
+    return {
+        {.key = "effective_viscosity",
+         .title = "Effective viscosity",
+         .unit = "length²/time",
+         .help = "Effective viscosity of the last step's advection, length²/time",
+         .needs = Needs::SolvedFlow,
+         .value = of(&Measures::effective_viscosity),
+         .best = Best::NearestZero,
+         .mean = Mean::OverSteps,
+         .tables = {.run = false, .experiment = false},
+         .plot = {.page = Page::Budget},
+         .column = {"Flow", "visc."}},
+        {.key = "divergence_before",
+         .title = "Largest divergence before",
+         .unit = "1/time",
+         .help = "Largest |∇·u| before the projection",
+         .needs = Needs::SolvedFlow,
+         .value = of(&Measures::divergence_before),
+         .tables = no_table,
+         .plot = {.chart = "Max |∇·u|", .label = "before", .colour = 1, .scale = Scale::Logarithmic},
+         .column = no_column},
+        {.key = "relative_divergence",
+         .title = "Relative divergence",
+         .unit = "",
+         .help = "Largest |∇·u| h over the largest speed, after the projection",
+         .needs = Needs::SolvedFlow,
+         .value = of(&Measures::relative_divergence),
+         .tables = no_table,
+         .plot = no_plot,
+         .column = no_column},
+        {.key = "removed_divergence",
+         .title = "Removed mean divergence",
+         .unit = "1/time",
+         .help = "Mean ∇·u that the projection took out of a closed component",
+         .needs = Needs::SolvedFlow,
+         .value = of(&Measures::removed_mean),
+         .tables = no_table,
+         .plot = no_plot,
+         .column = no_column},
+    };
+}
+
+/// A phase of a step, with the colours of its curves.
+struct PhaseCurve {
+    std::string_view phase;
+    int in_budget, in_times;
+};
+constexpr PhaseCurve phases[] = {{"forces", 2, 3}, {"projection", 1, 1}, {"advection", 0, 2}};
+
+/// What a phase added to energy or enstrophy in the last step.
+Measure budget(const PhaseCurve& of_phase, const char* quantity, const char* symbol, const char* unit,
+               double PhaseShare::*share) {
+    const std::string phase(of_phase.phase);
+    std::string lower = quantity;
+    lower.front() = static_cast<char>(lower.front() + ('a' - 'A'));
+    return {.key = lower + "_by_" + phase,
+            .title = std::string(quantity) + " by " + phase,
+            .unit = unit,
+            .help = std::string(symbol) + " that " + phase + " gave, or took, in the last step",
+            .needs = Needs::SolvedFlow,
+            .value = [phase, share](const Measures& m) { return m.phase(phase).*share; },
+            .tables = no_table,
+            .plot = {.page = Page::BudgetShares,
+                     .chart = std::string(quantity) + " a step",
+                     .label = phase,
+                     .colour = of_phase.in_budget},
+            .column = no_column};
+}
+
+std::vector<Measure> budgets() {
+    std::vector<Measure> all;
+    for (const PhaseCurve& phase : phases)
+        all.push_back(budget(phase, "Energy", "½∫|u|²", "length⁴/time²", &PhaseShare::energy));
+    for (const PhaseCurve& phase : phases)
+        all.push_back(budget(phase, "Enstrophy", "½∫ω²", "length²/time²", &PhaseShare::enstrophy));
+    return all;
+}
+
+/// @param row  in `whorl run --timing`
+Measure time(std::string key, const std::string& row, int colour, std::string help,
+             std::function<double(const Measures&)> value) {
+    return {.key = std::move(key),
+            .title = "Time of " + row,
+            .unit = "ms",
+            .help = std::move(help),
+            .value = std::move(value),
+            .best = Best::Least,
+            .mean = Mean::Median,
+            .timing = true,
+            .tables = only_timing,
+            .plot = {.chart = "Step time", .label = row, .colour = colour, .scale = Scale::Milliseconds},
+            .column = no_column};
+}
+
+std::vector<Measure> times() {
+    std::vector<Measure> all;
+    for (const PhaseCurve& of_phase : phases) {
+        const std::string phase(of_phase.phase);
+        all.push_back(time(phase + "_ms", phase, of_phase.in_times, "Milliseconds that " + phase + " took",
+                           [phase](const Measures& m) { return m.phase(phase).ms; }));
+    }
+    all.push_back(
+        time("step_ms", "total", 0, "Milliseconds that a step took", of(&Measures::ms, &PhaseTimes::total)));
+    all.back().title = "Step time";
+    all.back().column = {"Cost", "ms a step"};
+    return all;
+}
+
+/// Within the projection.
+std::vector<Measure> solver() {
+    std::vector<Measure> all{
+        time("pressure_setup_ms", "pressure_setup", 0, "Milliseconds that the pressure solver's set-up took",
+             of(&Measures::pressure, &SolveReport::setup_ms)),
+        time("pressure_solve_ms", "pressure_solve", 0, "Milliseconds that the pressure solve took",
+             of(&Measures::pressure, &SolveReport::solve_ms)),
+        {.key = "pressure_iterations",
+         .title = "Pressure iterations",
+         .unit = "",
+         .help = "Iterations of the pressure solver",
+         .needs = Needs::SolvedFlow,
+         .value = of(&Measures::pressure, &SolveReport::iterations),
+         .tables = only_timing,
+         .column = no_column},
+        {.key = "pressure_residual",
+         .title = "Pressure residual",
+         .unit = "",
+         .help = "What the pressure solver left of the right-hand side",
+         .needs = Needs::SolvedFlow,
+         .value = of(&Measures::pressure, &SolveReport::residual),
+         .tables = only_timing,
+         .column = no_column},
+    };
+    for (Measure& measure : all) {
+        measure.plot = no_plot;
+        measure.plot.label = measure.key.substr(0, measure.key.find("_ms"));
+    }
+    return all;
+}
+
+Registry<Measure> made() {
+    static const std::vector<Measure> groups[] = {
+        smoke(), flow(),  extrema_and_limiters(), errors(), dissipation_and_projection(), budgets(),
+        times(), solver()};
+    Registry<Measure> registry("measure", {});
+    for (const std::vector<Measure>& group : groups) {
+        for (const Measure& measure : group) registry.add(measure);
+    }
+    return registry;
+}
+
+}  // namespace
+
+Registry<Measure>& measures() {
+    static Registry<Measure> registry = made();
+    return registry;
+}
+
+}  // namespace whorl
