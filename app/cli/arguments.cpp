@@ -3,11 +3,9 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
-#include <iostream>
 
-#include "app/cli/exit_code.h"
+#include "app/cli/refusals.h"
 #include "core/base/error.h"
-#include "core/base/suggest.h"
 #include "core/session/recording.h"
 
 namespace whorl::app {
@@ -103,6 +101,10 @@ constexpr const char* scene_help =
     "a preset, an experiment, a file of a scene or a run, or a picture of Whorl's";
 constexpr const char* scene_type = "PRESET|FILE";
 
+void add_scene(CLI::App& verb, std::string& scene) {
+    verb.add_option("scene", scene, scene_help)->type_name(scene_type)->required();
+}
+
 /// "40,80,160" as numbers.  @throws InputError
 std::vector<int> whole_numbers(const std::string& option, const std::string& text,
                                const std::string& example = "600,1200") {
@@ -122,83 +124,115 @@ std::vector<int> whole_numbers(const std::string& option, const std::string& tex
     }
 }
 
-/// The verb that was asked for; the window's own arguments stand under `app` itself.
-const CLI::App& verb_of(const CLI::App& app) {
-    const std::vector<const CLI::App*> verbs = app.get_subcommands({});
-    const auto asked =
-        std::find_if(verbs.begin(), verbs.end(), [](const CLI::App* v) { return v->parsed(); });
-    return asked == verbs.end() ? app : **asked;
+CLI::App* add_run(CLI::App& app, RunArguments& run) {
+    CLI::App* verb = app.add_subcommand("run", "run a scene without a window");
+    add_scene(*verb, run.scene);
+    verb->add_option("--steps", run.steps,
+                     "how many steps; else up to where it was recorded, or the scene's own")
+        ->type_name("N")
+        ->check(within<long>(0, Recording::max_step));
+    add_set(*verb, run.set);
+    add_lanes(*verb, run.lanes);
+    add_outputs(*verb, run);
+    verb->add_option("--timing", run.timing, "write the median ms of each phase; - is standard output")
+        ->type_name("FILE|-")
+        ->check(named());
+    verb->add_option("--save", run.save, "write the run itself")->type_name("FILE.toml")->check(named());
+    verb->add_option("--animate", run.animate, "make a film; MP4 and GIF need ffmpeg")
+        ->type_name("FILE.mp4|FILE.gif|%04d.png")
+        ->check(named());
+    verb->add_option("--every", run.every, "steps between two frames of the film")
+        ->type_name("N")
+        ->check(within(1, 100000));
+    verb->add_option("--fps", run.fps, "frames of the film a second")->type_name("N")->check(within(1, 240));
+    verb->add_flag("--limiters", run.limiters, "count in --csv the nodes that limiters change in each step");
+    verb->add_flag("--digest", run.digest, "print a number made from every bit of the fields");
+    add_threads(*verb, run.threads);
+    return verb;
 }
 
-std::string stands_before(const std::string& option, const CLI::App& verb) {
-    return option + " stands before " + verb.get_name() + "; give what " + verb.get_name() +
-           " takes behind it";
+CLI::App* add_compare(CLI::App& app, CompareArguments& compare, std::string& at) {
+    CLI::App* verb = app.add_subcommand(
+        "compare", "a contact sheet: a row a step, a column a lane, as the thesis' figure 5.21");
+    add_scene(*verb, compare.scene);
+    add_lanes(*verb, compare.lanes);
+    verb->add_option("--at", at, "steps to show; 120,240,360,480,600 if not given")
+        ->type_name("STEP,STEP...");
+    verb->add_option("--out", compare.out, "the sheet")->type_name("FILE.png")->check(named());
+    add_csv(*verb, compare.csv, compare.measures, "write a row a step and lane; - is standard output");
+    add_set(*verb, compare.set);
+    add_draw(*verb, compare.draw);
+    add_threads(*verb, compare.threads);
+    return verb;
 }
 
-/// A word that nothing takes, most likely because the one before it is meant to be a verb.
-std::string too_many(const CLI::App& app, const std::string& word) {
-    const CLI::App& verb = verb_of(app);
-    std::vector<std::string> names;
-    for (const CLI::App* v : app.get_subcommands({})) names.push_back(v->get_name());
-    const std::vector<std::string_view> verbs(names.begin(), names.end());
-    const auto first = app.get_option("scene")->results();
-    if (&verb == &app && !first.empty()) {
-        const std::string meant = suggestion(first.front(), verbs);
-        if (meant.starts_with("did you mean")) return "unknown verb \"" + first.front() + "\"; " + meant;
-    }
-    return "\"" + word + "\" is one argument too many";
+CLI::App* add_explain(CLI::App& app, ExplainArguments& explain, std::string& cell) {
+    CLI::App* verb = app.add_subcommand("explain", "how a step made one value, as sums with numbers");
+    add_scene(*verb, explain.scene);
+    verb->add_option("--at", explain.at, "the step")
+        ->type_name("STEP")
+        ->check(within<long>(1, Recording::max_step))
+        ->required();
+    verb->add_option("--cell", cell, "column and row, from 0 at the lower left; a face's for u and v")
+        ->type_name("I,J")
+        ->required();
+    verb->add_option("--field", explain.field, "density, temperature, u or v")->type_name("FIELD");
+    add_set(*verb, explain.set);
+    add_lanes(*verb, explain.lanes);
+    add_threads(*verb, explain.threads);
+    return verb;
 }
 
-/// The first argument that nothing takes, in one line.
-std::string unexpected(const CLI::App& app) {
-    const std::vector<std::string> left = app.remaining(true);
-    const auto option =
-        std::find_if(left.begin(), left.end(), [](const std::string& a) { return a[0] == '-'; });
-    if (option == left.end()) return too_many(app, left.front());
-    const CLI::App& verb = verb_of(app);
-    if (&verb != &app && !app.remaining().empty()) return stands_before(*option, verb);
-    std::vector<std::string> names;
-    for (const CLI::Option* o : verb.get_options(
-             [](const CLI::Option* o) { return !o->get_positional() && !o->get_group().empty(); })) {
-        names.push_back(o->get_name());
-    }
-    const std::vector<std::string_view> known(names.begin(), names.end());
-    const std::string name = option->substr(0, option->find('='));
-    return "unknown option " + name + "; " + suggestion(name, known);
+CLI::App* add_experiment(CLI::App& app, ExperimentArguments& experiment, std::string& at) {
+    CLI::App* verb = app.add_subcommand("experiment", "run a test and measure its errors");
+    verb->add_option("name", experiment.scene, "`whorl list experiments` shows them")
+        ->type_name("NAME")
+        ->required();
+    verb->add_option("--at", at, "steps to report; the last one ends the run")->type_name("STEP,STEP...");
+    verb->add_option("--steps", experiment.steps, "how many steps; else the experiment's own")
+        ->type_name("N")
+        ->check(within<long>(0, Recording::max_step));
+    add_set(*verb, experiment.set);
+    add_outputs(*verb, experiment);
+    add_threads(*verb, experiment.threads);
+    return verb;
 }
 
-/// The first option that stands before a verb, where only the window's stand.
-std::optional<std::string> misplaced(const CLI::App& app) {
-    const CLI::App& verb = verb_of(app);
-    if (&verb == &app) return {};
-    const auto given = app.get_options([](const CLI::Option* o) { return o->count() > 0; });
-    if (given.empty()) return {};
-    return stands_before(given.front()->get_name(), verb);
+CLI::App* add_converge(CLI::App& app, ConvergeArguments& converge, std::string& resolutions) {
+    CLI::App* verb =
+        app.add_subcommand("converge", "errors and rates under refinement, as the thesis' table 5.2");
+    verb->add_option("experiment", converge.experiment, "an experiment with an exact solution")
+        ->type_name("NAME")
+        ->required();
+    verb->add_option("--resolutions", resolutions, "cells along the width, each a multiple of the last")
+        ->type_name("N,N...");
+    add_set(*verb, converge.set);
+    add_threads(*verb, converge.threads);
+    return verb;
 }
 
-/// What the library says of an option with too few values or too many, which begins with its name.
-std::string mismatch(const std::string& said) {
-    const bool missing = said.find("missing") != std::string::npos;
-    return said.substr(0, said.find(':')) + (missing ? " lacks its value" : " is given more than once");
+CLI::App* add_list(CLI::App& app, ListArguments& list) {
+    CLI::App* verb = app.add_subcommand("list", "what there is to choose from");
+    verb->add_option("what", list.what, "advectors, interpolations, presets, parameters ...")
+        ->type_name("WHAT");
+    return verb;
 }
 
-int refuse(const CLI::App& app, std::string reason) {
-    std::replace(reason.begin(), reason.end(), '\n', ' ');
-    const CLI::App& verb = verb_of(app);
-    std::cerr << "whorl: " << reason << "; see whorl " << (&verb == &app ? "" : verb.get_name() + " ")
-              << "--help\n";
-    return exit_bad_input;
+CLI::App* add_lesson(CLI::App& app, LessonArguments& lesson) {
+    CLI::App* verb = app.add_subcommand(
+        "lesson", "what there is to learn: a list, a lesson's text, or a check of its claims");
+    verb->add_option("lesson", lesson.lesson, "a lesson, or a file of one; else all")
+        ->type_name("KEY|FILE")
+        ->check(named());
+    verb->add_flag("--check", lesson.check, "run the steps and check what they claim");
+    verb->add_option("--pictures", lesson.pictures, "draw each step's moment into this folder")
+        ->type_name("FOLDER")
+        ->check(named());
+    add_threads(*verb, lesson.threads);
+    return verb;
 }
 
-}  // namespace
-
-// NOLINTNEXTLINE(readability-function-size)
-Arguments parse_arguments(int argc, char** argv) {
-    CLI::App app(about, "whorl");
-    app.footer(examples);
-    app.set_version_flag("--version", "whorl " WHORL_VERSION);
-
-    WindowArguments window;
+void add_window(CLI::App& app, WindowArguments& window) {
     app.add_option("scene", window.scene, std::string(scene_help) + "; or a lesson's file")
         ->type_name(scene_type);
     add_set(app, window.set);
@@ -211,111 +245,35 @@ Arguments parse_arguments(int argc, char** argv) {
         "--no-tour", [&] { window.tour = false; }, "begin without it");
     app.add_option("--trace", window.trace, "append what happens, for tests")->type_name("FILE")->group("");
     app.add_option("--content-scale", window.content_scale, "as if the monitor had it")->group("");
+}
 
+}  // namespace
+
+Arguments parse_arguments(int argc, char** argv) {
+    CLI::App app(about, "whorl");
+    app.footer(examples);
+    app.set_version_flag("--version", "whorl " WHORL_VERSION);
+
+    WindowArguments window;
+    add_window(app, window);
     RunArguments run;
-    CLI::App* run_verb = app.add_subcommand("run", "run a scene without a window");
-    run_verb->add_option("scene", run.scene, scene_help)->type_name(scene_type)->required();
-    run_verb
-        ->add_option("--steps", run.steps,
-                     "how many steps; else up to where it was recorded, or the scene's own")
-        ->type_name("N")
-        ->check(within<long>(0, Recording::max_step));
-    add_set(*run_verb, run.set);
-    add_lanes(*run_verb, run.lanes);
-    add_outputs(*run_verb, run);
-    run_verb->add_option("--timing", run.timing, "write the median ms of each phase; - is standard output")
-        ->type_name("FILE|-")
-        ->check(named());
-    run_verb->add_option("--save", run.save, "write the run itself")->type_name("FILE.toml")->check(named());
-    run_verb->add_option("--animate", run.animate, "make a film; MP4 and GIF need ffmpeg")
-        ->type_name("FILE.mp4|FILE.gif|%04d.png")
-        ->check(named());
-    run_verb->add_option("--every", run.every, "steps between two frames of the film")
-        ->type_name("N")
-        ->check(within(1, 100000));
-    run_verb->add_option("--fps", run.fps, "frames of the film a second")
-        ->type_name("N")
-        ->check(within(1, 240));
-    run_verb->add_flag("--limiters", run.limiters,
-                       "count in --csv the nodes that limiters change in each step");
-    run_verb->add_flag("--digest", run.digest, "print a number made from every bit of the fields");
-    add_threads(*run_verb, run.threads);
-
+    const CLI::App* run_verb = add_run(app, run);
     CompareArguments compare;
     std::string compare_at = "120,240,360,480,600";
-    CLI::App* compare_verb = app.add_subcommand(
-        "compare", "a contact sheet: a row a step, a column a lane, as the thesis' figure 5.21");
-    compare_verb->add_option("scene", compare.scene, scene_help)->type_name(scene_type)->required();
-    add_lanes(*compare_verb, compare.lanes);
-    compare_verb->add_option("--at", compare_at, "steps to show; 120,240,360,480,600 if not given")
-        ->type_name("STEP,STEP...");
-    compare_verb->add_option("--out", compare.out, "the sheet")->type_name("FILE.png")->check(named());
-    add_csv(*compare_verb, compare.csv, compare.measures,
-            "write a row a step and lane; - is standard output");
-    add_set(*compare_verb, compare.set);
-    add_draw(*compare_verb, compare.draw);
-    add_threads(*compare_verb, compare.threads);
-
+    const CLI::App* compare_verb = add_compare(app, compare, compare_at);
     ExplainArguments explain;
     std::string cell;
-    CLI::App* explain_verb = app.add_subcommand("explain", "how a step made one value, as sums with numbers");
-    explain_verb->add_option("scene", explain.scene, scene_help)->type_name(scene_type)->required();
-    explain_verb->add_option("--at", explain.at, "the step")
-        ->type_name("STEP")
-        ->check(within<long>(1, Recording::max_step))
-        ->required();
-    explain_verb->add_option("--cell", cell, "column and row, from 0 at the lower left; a face's for u and v")
-        ->type_name("I,J")
-        ->required();
-    explain_verb->add_option("--field", explain.field, "density, temperature, u or v")->type_name("FIELD");
-    add_set(*explain_verb, explain.set);
-    add_lanes(*explain_verb, explain.lanes);
-    add_threads(*explain_verb, explain.threads);
-
+    const CLI::App* explain_verb = add_explain(app, explain, cell);
     ExperimentArguments experiment;
     std::string at;
-    CLI::App* experiment_verb = app.add_subcommand("experiment", "run a test and measure its errors");
-    experiment_verb->add_option("name", experiment.scene, "`whorl list experiments` shows them")
-        ->type_name("NAME")
-        ->required();
-    experiment_verb->add_option("--at", at, "steps to report; the last one ends the run")
-        ->type_name("STEP,STEP...");
-    experiment_verb->add_option("--steps", experiment.steps, "how many steps; else the experiment's own")
-        ->type_name("N")
-        ->check(within<long>(0, Recording::max_step));
-    add_set(*experiment_verb, experiment.set);
-    add_outputs(*experiment_verb, experiment);
-    add_threads(*experiment_verb, experiment.threads);
-
+    const CLI::App* experiment_verb = add_experiment(app, experiment, at);
     ConvergeArguments converge;
     std::string resolutions = "40,80,160";
-    CLI::App* converge_verb =
-        app.add_subcommand("converge", "errors and rates under refinement, as the thesis' table 5.2");
-    converge_verb->add_option("experiment", converge.experiment, "an experiment with an exact solution")
-        ->type_name("NAME")
-        ->required();
-    converge_verb
-        ->add_option("--resolutions", resolutions, "cells along the width, each a multiple of the last")
-        ->type_name("N,N...");
-    add_set(*converge_verb, converge.set);
-    add_threads(*converge_verb, converge.threads);
-
+    const CLI::App* converge_verb = add_converge(app, converge, resolutions);
     ListArguments list;
-    CLI::App* list_verb = app.add_subcommand("list", "what there is to choose from");
-    list_verb->add_option("what", list.what, "advectors, interpolations, presets, parameters ...")
-        ->type_name("WHAT");
-
+    const CLI::App* list_verb = add_list(app, list);
     LessonArguments lesson;
-    CLI::App* lesson_verb = app.add_subcommand(
-        "lesson", "what there is to learn: a list, a lesson's text, or a check of its claims");
-    lesson_verb->add_option("lesson", lesson.lesson, "a lesson, or a file of one; else all")
-        ->type_name("KEY|FILE")
-        ->check(named());
-    lesson_verb->add_flag("--check", lesson.check, "run the steps and check what they claim");
-    lesson_verb->add_option("--pictures", lesson.pictures, "draw each step's moment into this folder")
-        ->type_name("FOLDER")
-        ->check(named());
-    add_threads(*lesson_verb, lesson.threads);
+    const CLI::App* lesson_verb = add_lesson(app, lesson);
 
     try {
         app.parse(argc, argv);
