@@ -1,7 +1,7 @@
 // Advection allocates in its first step, and in none after it.
 #include <gtest/gtest.h>
 
-#include "tests/advection/scheme_step.h"
+#include "tests/core/advection/scheme_step.h"
 #include "tests/support/allocations.h"
 
 namespace whorl {

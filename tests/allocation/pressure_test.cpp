@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/pressure/projection.h"
-#include "tests/pressure/domains.h"
+#include "tests/core/pressure/domains.h"
 #include "tests/support/allocations.h"
 
 namespace whorl::test {

@@ -4,7 +4,7 @@
 
 #include "core/pressure/ldlt.h"
 #include "core/pressure/projection.h"
-#include "tests/pressure/domains.h"
+#include "tests/core/pressure/domains.h"
 
 namespace {
 

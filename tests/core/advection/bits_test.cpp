@@ -1,0 +1,92 @@
+// Results are the same bits on every instruction set and with any number of threads.
+#include <gtest/gtest.h>
+
+#include "tests/core/advection/scheme_step.h"
+
+namespace whorl {
+namespace {
+
+const Domain domains[] = {{{67, 21, 0.5}, Sides::of<Box>()},
+                          {{67, 21, 0.5}, Sides::of<Periodic>()},
+                          {{40, 33, 1}, Sides::of<Box>(), true},
+                          {{90, 1, 1}, Sides::of<Periodic>()}};
+
+/// A CFL number at which some lanes read in a row and others do not.
+constexpr double cfl = 3.3;
+
+template <class List, class F>
+void for_each(F&& f) {
+    for (std::size_t k = 0; k < List::infos.size(); ++k) f(List::Id::at(k));
+}
+
+void expect_same_on_every_isa(const SchemeSet& schemes) {
+    for (const Domain& domain : domains) {
+        const Stirred from(domain, cfl);
+        const Moved baseline = move(schemes, from, {.isa = Isa::Baseline});
+        for (const Isa isa : available_isas()) {
+            ASSERT_EQ(difference(move(schemes, from, {.isa = isa}), baseline), 0)
+                << name(isa) << " " << schemes.advector.key() << " " << schemes.interpolation.key() << " "
+                << schemes.tracer.key() << " " << schemes.limiter.key();
+        }
+    }
+}
+
+TEST(InstructionSets, AgreeOnEveryInterpolation) {
+    for_each<Interpolations>([](Interpolations::Id interpolation) {
+        for_each<AxisOrders>([&](AxisOrders::Id order) {
+            for (const bool clamped : {false, true}) {
+                SchemeSet schemes;
+                schemes.interpolation = interpolation;
+                schemes.axis_order = order;
+                schemes.clamped = clamped;
+                expect_same_on_every_isa(schemes);
+            }
+        });
+    });
+}
+
+TEST(InstructionSets, AgreeOnEveryTracerAndLimiter) {
+    for_each<Tracers>([](Tracers::Id tracer) {
+        for_each<Limiters>([&](Limiters::Id limiter) {
+            SchemeSet schemes;
+            schemes.advector = Advectors::of<MacCormack>();
+            schemes.interpolation = Interpolations::of<CatmullRom>();
+            schemes.tracer = tracer;
+            schemes.limiter = limiter;
+            expect_same_on_every_isa(schemes);
+        });
+    });
+}
+
+TEST(InstructionSets, AgreeOnEveryAdvectorAndStencil) {
+    for_each<Advectors>([](Advectors::Id advector) {
+        for_each<Stencils>([&](Stencils::Id stencil) {
+            SchemeSet schemes;
+            schemes.advector = advector;
+            schemes.base = Bases::of<AslamClamped>();
+            schemes.stencil = stencil;
+            expect_same_on_every_isa(schemes);
+        });
+    });
+}
+
+TEST(AdvectionThreads, DoNotChangeABit) {
+    for_each<Advectors>([](Advectors::Id advector) {
+        for_each<Bases>([&](Bases::Id base) {
+            SchemeSet schemes;
+            schemes.advector = advector;
+            schemes.base = base;
+            for (const Domain& domain : domains) {
+                const Stirred from(domain, cfl);
+                const Moved one = move(schemes, from, {.threads = 1});
+                for (const int threads : {2, 3}) {
+                    ASSERT_EQ(difference(move(schemes, from, {.threads = threads}, 2), one), 0)
+                        << advector.key() << " over " << base.key() << ", " << threads << " threads";
+                }
+            }
+        });
+    });
+}
+
+}  // namespace
+}  // namespace whorl
