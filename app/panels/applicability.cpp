@@ -25,17 +25,15 @@ std::string why_idle(std::string_view key, const SchemeSet& s, const Scene& scen
         return family(s) + " takes values and gradients from linear weights [thesis eq. 4.2–4.3].";
     }
     if (key == "clamped") {
-        const bool overshoots = Interpolations::dispatch(
-            s.interpolation, []<class I>(std::type_identity<I>) { return I::overshoots; });
-        if (!overshoots) {
+        if (!s.interpolation_traits().overshoots) {
             return label(s.interpolation.info()) +
                    " never leaves the range of its nodes: there is nothing to cut.";
         }
     }
     if (key == "axis-order") {
         if (scene.dimensions == 1) return "There is one axis only.";
-        if (s.interpolation == Interpolations::of<Linear>()) {
-            return "Linear interpolation gives the same along either axis first.";
+        if (s.interpolation_traits().bilinear) {
+            return label(s.interpolation.info()) + " interpolation gives the same along either axis first.";
         }
     }
     if (key == "limiter" && !s.predictor_corrector() && !s.affine()) {
@@ -61,8 +59,7 @@ std::string why_idle(const Parameter& p, const Scene& scene) {
     if (p.group == Group::Forces || p.group == Group::Pressure || p.key == "order") {
         if (prescribed) return known_flow();
     }
-    if (p.key == "seed" && scene.velocity.stencil != Stencils::of<Jittered>() &&
-        scene.scalars.stencil != Stencils::of<Jittered>()) {
+    if (p.key == "seed" && !scene.velocity.seeded() && !scene.scalars.seeded()) {
         return "Only the jittered stencil is random.";
     }
     if (p.group != Group::Schemes && p.group != Group::Particles) return {};

@@ -1,5 +1,7 @@
 #include "core/advection/advect.h"
 
+#include <algorithm>
+
 namespace whorl {
 
 void Mover::set(const SchemeSet& schemes, int dimensions, std::uint64_t seed) {
@@ -12,13 +14,13 @@ void Mover::set(const SchemeSet& schemes, int dimensions, std::uint64_t seed) {
     lattice_ = schemes.affine() ? Lattice::of(stencil_->particles()) : std::nullopt;
 }
 
-void Mover::advect(Groups groups, const FaceVelocity& velocity, double dt, const Boundary& boundary,
-                   Pool& pool) {
+void Mover::advect(std::span<const AdvectedField> fields, const FaceVelocity& velocity, double dt,
+                   const Boundary& boundary, Pool& pool) {
     if (lattice_) {
-        int fields = 0;
-        for (const Group& group : groups) fields += group.count;
         tiles_.resize(static_cast<std::size_t>(pool.threads()));
-        for (LatticeTile& tile : tiles_) tile.shape(*lattice_, fields);
+        const auto most = static_cast<int>(max_groups) * Group::max_fields;
+        for (LatticeTile& tile : tiles_)
+            tile.shape(*lattice_, std::min(static_cast<int>(fields.size()), most));
     }
     const Step step{.kernels = choose_kernels(schemes_, boundary.periodic()),
                     .particles = stencil_->particles(),
@@ -29,11 +31,13 @@ void Mover::advect(Groups groups, const FaceVelocity& velocity, double dt, const
                     .pool = &pool,
                     .dt = static_cast<Real>(dt / boundary.grid().h)};
     Advectors::dispatch(schemes_.advector, [&]<class Advector>(std::type_identity<Advector>) {
-        Advector::advect(step, groups, work_);
+        for (int k = 0; true; ++k) {
+            const Pass pass(fields, k);
+            if (pass.empty()) break;
+            Advector::advect(step, pass.groups(), work_);
+        }
     });
-    for (const Group& group : groups) {
-        for (int f = 0; f < group.count; ++f) boundary.fill(*group.to[f]);
-    }
+    for (const AdvectedField& field : fields) boundary.fill(*field.to);
 }
 
 }  // namespace whorl

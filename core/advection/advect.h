@@ -21,14 +21,16 @@ class Mover {
     const SchemeSet& schemes() const { return schemes_; }
 
     /// One step of advection.
-    /// @param groups   up to one a site: fields at the step's start, ghosts filled, and distinct ones for the
+    /// @param fields   any number at any sites: at the step's start, ghosts filled, and distinct ones for the
     ///                 result, whose ghosts are filled too; any unit
     /// @param velocity at the step's start, ghosts filled, length/time
     /// @param dt       time; negative moves backwards
-    void advect(Groups groups, const FaceVelocity& velocity, double dt, const Boundary& boundary, Pool& pool);
-    void advect(const Group& group, const FaceVelocity& velocity, double dt, const Boundary& boundary,
-                Pool& pool) {
-        advect(Groups(&group, 1), velocity, dt, boundary, pool);
+    void advect(std::span<const AdvectedField> fields, const FaceVelocity& velocity, double dt,
+                const Boundary& boundary, Pool& pool);
+    void advect(const Field& from, Field& to, const FaceVelocity& velocity, double dt,
+                const Boundary& boundary, Pool& pool) {
+        const AdvectedField field{&from, &to};
+        advect({&field, 1}, velocity, dt, boundary, pool);
     }
 
     /// What the last advect left of a predictor-corrector's way: its forward and its corrected fields.

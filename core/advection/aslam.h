@@ -34,6 +34,7 @@ struct Aslam : AslamUpdate {
         "aslam", "ASLAM", "thesis alg. 4.1, eq. 4.1–4.3",
         "Trace a stencil of particles a node; each carries its value and gradient."};
     static constexpr Expansion expansion = Expansion::Gradient;
+    using Whole = Aslam;
 };
 
 /// Value alone: supersampled semi-Lagrangian.  [T 5.8]  More dissipative than semi-Lagrangian itself.
@@ -50,6 +51,7 @@ struct AslamBilinear : AslamUpdate {
         "aslam-bilinear", "ASLAM-bilinear", "after thesis sec. 6.1",
         "ASLAM with the bilinear cross term, which keeps a field at rest as it is."};
     static constexpr Expansion expansion = Expansion::CrossTerm;
+    using Whole = AslamBilinear;
 };
 
 /// ASLAM as a base step that keeps its clamp: the thesis' MC-ASLAM-CLAMPED.  [T sec. 5.5]

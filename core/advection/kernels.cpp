@@ -14,7 +14,7 @@ auto with_bool(bool value, F&& f) {
 
 SampleFn choose_sample(const SchemeSet& s, bool periodic, Isa isa) {
     return Interpolations::dispatch(s.interpolation, [&]<class I>(std::type_identity<I>) {
-        return with_bool(s.axis_order == AxisOrders::of<XFirst>(), [&]<class X>(X) {
+        return with_bool(s.x_first(), [&]<class X>(X) {
             return with_bool(s.clamped, [&]<class C>(C) {
                 return with_bool(periodic, [&]<class P>(P) {
                     return PerIsa<SampleFn, SampleLoop<I, X::value, C::value, P::value>>::pick(isa);

@@ -21,7 +21,10 @@ std::optional<int> point_at(double position, int per_cell, double phase) {
 
 std::optional<Lattice> Lattice::of(std::span<const Particle> particles) {
     const bool in_a_line = std::ranges::all_of(particles, [](const Particle& p) { return p.offset.y == 0; });
-    if (in_a_line) return std::nullopt;
+    const auto in_cell = [](Real d) { return std::abs(d) <= Real(0.5); };
+    const bool inside = std::ranges::all_of(
+        particles, [&](const Particle& p) { return in_cell(p.offset.x) && in_cell(p.offset.y); });
+    if (in_a_line || !inside) return std::nullopt;
     for (int per_cell = 1; per_cell <= max_per_cell; ++per_cell) {
         for (const double phase : {0.0, 0.5}) {
             Lattice lattice(per_cell, phase);
@@ -65,9 +68,15 @@ Vec2 Lattice::start(int x, int y) const {
 
 void LatticeTile::shape(const Lattice& lattice, int fields) {
     int lowest = 0, highest = 0;
+    std::size_t particles = 0;
     for (const Site site : all_sites) {
         lowest = std::min(lowest, lattice.lowest(site));
         highest = std::max(highest, lattice.highest(site));
+        particles = std::max(particles, lattice.particles(site).size());
+    }
+    if (shares_.size() < particles) shares_.resize(particles);
+    for (auto& sources : sources_) {
+        if (sources.size() < particles) sources.resize(particles);
     }
     slots_ = highest - lowest + 1;
     per_cell_ = lattice.per_cell();

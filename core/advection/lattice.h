@@ -21,6 +21,8 @@ class Lattice {
   public:
     /// Along an axis, at most.
     static constexpr int max_per_cell = 8;
+    /// Rows of points that the nodes of a row take, faces and centres together.
+    static constexpr int max_rows = 2 * max_per_cell;
 
     /// A particle of a node (i, j): point (x, y) of the lattice, counted from cell (i, j)'s first one.
     struct Point {
@@ -29,7 +31,7 @@ class Lattice {
     };
 
     /// The coarsest lattice that a node's particles form with those of its neighbours at all sites.
-    /// @return nothing where there is none, nor for particles in a line
+    /// @return nothing where there is none, nor for particles in a line or outside of the node's own cell
     static std::optional<Lattice> of(std::span<const Particle> particles);
 
     int per_cell() const { return per_cell_; }
@@ -77,6 +79,14 @@ class LatticeTile {
         Real values[size];
     };
 
+    /// What a node of a group takes: the row of points, counted from the lowest in use, and where in it what
+    /// the particle carries to the tile's first node stands.
+    struct Source {
+        int row;
+        std::ptrdiff_t offset;
+        const Particle* particle;
+    };
+
     /// Rows of values before those of the fields: the point's own displacement.
     static constexpr int displacement_rows = 2;
 
@@ -94,9 +104,15 @@ class LatticeTile {
     /// a vector; odd in lines, so that rows do not crowd into one set of the cache.
     static constexpr std::ptrdiff_t stride = max_cells + 1 + Line::size;
 
+    /// Room for a source for each particle of a group's node, and for a share.
+    std::span<Source> sources(int group) { return sources_[static_cast<std::size_t>(group)]; }
+    std::span<Share> shares() { return shares_; }
+
   private:
     int slots_ = 1, per_cell_ = 1, rows_ = 0;
     std::vector<Line> lines_;
+    std::array<std::vector<Source>, 3> sources_;
+    std::vector<Share> shares_;
 };
 
 /// Rows [first, last) of a base step whose particles form a lattice: points are traced and sampled once, row

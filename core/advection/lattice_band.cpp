@@ -1,7 +1,6 @@
 // The base step of the affine family over a shared lattice.
 #include <algorithm>
 
-#include "core/advection/stencil.h"
 #include "core/advection/step.h"
 
 namespace whorl {
@@ -54,14 +53,6 @@ class Band {
         int low = 0, high = 0;
     };
 
-    /// What a node of a group takes: the row of points, counted from the lowest in use, and where in it what
-    /// the particle carries to the tile's first node stands.
-    struct Source {
-        int row;
-        std::ptrdiff_t offset;
-        const Particle* particle;
-    };
-
     static Site site(const Group& group) { return group.shape().site(); }
 
     void find_reaches() {
@@ -88,9 +79,9 @@ class Band {
                 const Lattice::Point& p = particles[k];
                 const int cell = floor_div(p.x, m);
                 const int x = p.x - m * cell;
-                sources_[g][k] = {p.y - lowest_,
-                                  tile_.point(x) + row * LatticeTile::stride + cell - reach(p.y, x).low,
-                                  &p.particle};
+                tile_.sources(g)[k] = {p.y - lowest_,
+                                       tile_.point(x) + row * LatticeTile::stride + cell - reach(p.y, x).low,
+                                       &p.particle};
             }
             row += groups_[g].count * Carried::rows;
         }
@@ -155,10 +146,10 @@ class Band {
             step_.departure(run, group.shape(), direction_, places);
         }
         const std::size_t count = lattice_.particles(site(group)).size();
-        std::array<Share, Stencil::max_particles> buffer;
-        const std::span<Share> shares = std::span(buffer).first(count);
+        const std::span<Share> shares = tile_.shares().first(count);
+        const std::span<const LatticeTile::Source> sources = tile_.sources(g);
         for (std::size_t k = 0; k < count; ++k) {
-            const Source& source = sources_[g][k];
+            const LatticeTile::Source& source = sources[k];
             shares[k] = {rows_[source.row] + source.offset + (run.i - first_cell_), source.particle};
         }
         for (int f = 0; f < group.count; ++f) {
@@ -184,8 +175,7 @@ class Band {
     int first_cell_, end_cell_;
     int lowest_ = 0, highest_ = 0;
     Reach reaches_[Lattice::max_per_cell][Lattice::max_per_cell];
-    std::array<std::array<Source, Stencil::max_particles>, max_groups> sources_;
-    std::array<Real*, 2 * Lattice::max_per_cell> rows_{};  ///< of lattice points around a row of nodes
+    std::array<Real*, Lattice::max_rows> rows_{};  ///< of lattice points around a row of nodes
 };
 
 }  // namespace

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/advection/tracing_loops.h"
-#include "core/interpolation/interval.h"
+#include "core/interpolation/traits.h"
 
 namespace whorl {
 
@@ -61,7 +61,7 @@ struct Patch {
     }
 };
 
-template <class Interpolation, bool x_first, bool clamped, bool periodic>
+template <InterpolationScheme Interpolation, bool x_first, bool clamped, bool periodic>
 struct SampleLoop {
     template <int bytes>
     static WHORL_INLINE void run(const Field& field, const Places& at, int count, Values& out) {
@@ -74,8 +74,11 @@ struct SampleLoop {
         for (int k = 0; k < count; k += lane_count<T>) {
             const T x = load<T>(at.x + k), y = load<T>(at.y + k);
             const I samples = load<I>(at.at + k);
-            if constexpr (Interpolation::support == 2) {
-                store(Cell<T>::around(origin, stride, samples).bilinear(x, y), out + k);
+            constexpr InterpolationTraits traits = Interpolation::traits;
+            if constexpr (TwoSampleInterpolation<Interpolation>) {
+                const auto cell = Cell<T>::around(origin, stride, samples);
+                const T value = cell.template at < Interpolation, x_first || traits.bilinear > (x, y);
+                store(clamped && !traits.bilinear ? cell.clamp(value) : value, out + k);
             } else {
                 const Patch<T> patch(origin, stride, samples);
                 const T value = patch.template at<Interpolation, x_first>(

@@ -17,6 +17,7 @@ struct SemiLagrangian {
     static constexpr Expansion expansion = Expansion::None;
     static constexpr bool predictor_corrector = false;
     static constexpr bool clamps_base = false;
+    using Whole = SemiLagrangian;
 
     /// @param groups fields at the step's start, ghosts filled, and distinct ones for the result; any unit
     static void advect(const Step& step, Groups groups, std::span<Workspace>) {

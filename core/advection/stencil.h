@@ -1,9 +1,9 @@
 // The particles of a node: where they start and how much they count.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "core/schemes/registry.h"
 
@@ -12,8 +12,6 @@ namespace whorl {
 /// The particles of every node. Weights sum to 1.
 class Stencil {
   public:
-    static constexpr int max_particles = (2 * SchemeSet::max_zeta + 1) * (2 * SchemeSet::max_zeta + 1);
-
     /// @param dimensions 1 leaves out all particles off the x axis; radii are then Δ_r = ½ cell.
     /// @param zeta       0 gives the node alone: plain semi-Lagrangian
     /// @param seed       of `jittered`
@@ -22,17 +20,14 @@ class Stencil {
     /// Δ_r, the circumscribed circle's radius of a cell, in cells.  [T sec. 4.2]
     static double radius(int dimensions);
 
-    std::span<const Particle> particles() const {
-        return {particles_.data(), static_cast<std::size_t>(count_)};
-    }
+    std::span<const Particle> particles() const { return particles_; }
 
     /// Of the weights as their formula gives them, before they were normalised.  [T 4.1]
     double weight_sum() const { return weight_sum_; }
 
   private:
-    std::array<Particle, max_particles> particles_;
+    std::vector<Particle> particles_;
     double weight_sum_ = 0;
-    int count_ = 0;
 };
 
 }  // namespace whorl

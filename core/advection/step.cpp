@@ -4,6 +4,18 @@
 
 namespace whorl {
 
+Pass::Pass(std::span<const AdvectedField> fields, int number) {
+    for (const Site site : {Site::Centre, Site::FaceX, Site::FaceY}) {
+        Group& group = groups_[count_];
+        int seen = 0;
+        for (const AdvectedField& field : fields) {
+            if (field.from->site() != site) continue;
+            if (seen++ / Group::max_fields == number) group.add(*field.from, *field.to);
+        }
+        if (group.count > 0) ++count_;
+    }
+}
+
 int Step::most_rows(Groups groups) {
     int rows = 0;
     for (const Group& group : groups) rows = std::max(rows, group.shape().height());

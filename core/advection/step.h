@@ -12,13 +12,20 @@
 
 namespace whorl {
 
-/// Fields at one site that move together, so that one trace serves them all.
+/// A field as it was, and as it shall be.
+struct AdvectedField {
+    const Field* from;
+    Field* to;
+};
+
+/// Fields at one site that move together, so that one trace serves them all: as many as a pass takes.
 struct Group {
     static constexpr int max_fields = 2;
     std::array<const Field*, max_fields> from{};
     std::array<Field*, max_fields> to{};
     int count = 0;
 
+    /// @pre count < max_fields
     void add(const Field& q, Field& out) {
         from[count] = &q;
         to[count++] = &out;
@@ -31,6 +38,19 @@ struct Group {
 using Groups = std::span<const Group>;
 /// One a site.
 inline constexpr std::size_t max_groups = 3;
+
+/// Any number of fields, dealt out to passes of at most one group a site.
+class Pass {
+  public:
+    /// The fields of pass `number`, in order; none after the last pass.
+    Pass(std::span<const AdvectedField> fields, int number);
+    Groups groups() const { return std::span(groups_).first(count_); }
+    bool empty() const { return count_ == 0; }
+
+  private:
+    std::array<Group, max_groups> groups_;
+    std::size_t count_ = 0;
+};
 
 /// New values of a run, a row a field of the group.
 struct GroupValues {

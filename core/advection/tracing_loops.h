@@ -62,11 +62,19 @@ struct Cell {
           q01(load<T>(from + stride)),
           q11(load<T>(from + stride + 1)) {}
 
-    WHORL_INLINE T bilinear(T x, T y) const {
-        return Linear::at(Linear::at(q00, q10, x), Linear::at(q01, q11, x), y);
+    /// One axis first, then the other.
+    template <class Interpolation, bool x_first>
+    WHORL_INLINE T at(T x, T y) const {
+        if constexpr (x_first) {
+            return Interpolation::at(Interpolation::at(q00, q10, x), Interpolation::at(q01, q11, x), y);
+        } else {
+            return Interpolation::at(Interpolation::at(q00, q01, y), Interpolation::at(q10, q11, y), x);
+        }
     }
+    WHORL_INLINE T bilinear(T x, T y) const { return at<Linear, true>(x, y); }
     WHORL_INLINE T lowest() const { return smaller(smaller(q00, q10), smaller(q01, q11)); }
     WHORL_INLINE T highest() const { return larger(larger(q00, q10), larger(q01, q11)); }
+    WHORL_INLINE T clamp(T value) const { return smaller(larger(value, lowest()), highest()); }
 };
 
 /// Lanes of neighbouring nodes of one row.

@@ -37,7 +37,7 @@ std::string update_source(const SchemeSet& schemes) {
 bool clamps(const SchemeSet& schemes) {
     return schemes.clamped &&
            Interpolations::dispatch(schemes.interpolation,
-                                    []<class I>(std::type_identity<I>) { return I::support > 2; });
+                                    []<class I>(std::type_identity<I>) { return !I::traits.bilinear; });
 }
 
 }  // namespace

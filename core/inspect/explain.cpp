@@ -100,9 +100,7 @@ class Explainer {
         schemes.limiter = Limiters::of<NoLimiter>();
         mover.set(schemes, last_.boundary->grid().dimensions(), last_.setup.seed);
         Field moved = last_.boundary->field(q_.field->site());
-        Group group;
-        group.add(*q_.field, moved);
-        mover.advect(group, *last_.velocity, last_.setup.dt, *last_.boundary, pool_);
+        mover.advect(*q_.field, moved, *last_.velocity, last_.setup.dt, *last_.boundary, pool_);
         return moved;
     }
 

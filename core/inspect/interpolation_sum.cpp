@@ -17,7 +17,7 @@ struct Along {
 
 template <class I>
 Real value(const Samples& q, const Along& a) {
-    if constexpr (I::support == 2) {
+    if constexpr (TwoSampleInterpolation<I>) {
         return I::at(q[1], q[2], a.t);
     } else {
         return I::at(q[0], q[1], q[2], q[3], a.t, a.in);
@@ -95,7 +95,7 @@ class Patch {
                 const double weight =
                     static_cast<double>(wx[a]) * (single_row() ? 1 : static_cast<double>(wy[b]));
                 nodes.push_back({i, j, world(q_, boundary_.grid(), i, j), static_cast<double>(q_(i, j)),
-                                 I::weighted_sum ? std::optional(weight) : std::nullopt});
+                                 I::traits.weighted_sum ? std::optional(weight) : std::nullopt});
             }
         }
         return nodes;
@@ -127,7 +127,8 @@ class Patch {
     }
 
   private:
-    static constexpr std::size_t first = I::support == 2 ? 1 : 0, last = I::support == 2 ? 3 : 4;
+    static constexpr std::size_t first = I::traits.samples == 2 ? 1 : 0,
+                                 last = I::traits.samples == 2 ? 3 : 4;
 
     bool single_row() const { return q_.height() == 1; }
     int column(std::size_t a) const { return at_.i - 1 + static_cast<int>(a); }
@@ -167,11 +168,6 @@ class Patch {
 
 }  // namespace
 
-std::string thesis_part(std::string_view source) {
-    const auto before = source.rfind("; ");
-    return std::string(before == std::string_view::npos ? source : source.substr(before + 2));
-}
-
 std::string node_name(std::string_view symbol, const Field& q, const Boundary& boundary, int i, int j) {
     const bool outside = i < 0 || j < 0 || i >= q.width() || j >= q.height();
     const auto wrap = [](int k, int n) { return (k % n + n) % n; };
@@ -185,14 +181,14 @@ std::string node_name(std::string_view symbol, const Field& q, const Boundary& b
 
 Sum interpolation_sum(const Field& q, std::string_view symbol, const Boundary& boundary,
                       const SchemeSet& schemes, const Place& at, Real value, std::vector<KernelNode>& nodes) {
-    const bool x_first = schemes.axis_order == AxisOrders::of<XFirst>();
+    const bool x_first = schemes.x_first();
     Sum whole = Interpolations::dispatch(schemes.interpolation, [&]<class I>(std::type_identity<I>) {
         const Patch<I> patch(q, symbol, boundary, at, x_first);
         nodes = patch.nodes();
         if constexpr (!has_slopes<I>) {
-            static_assert(I::weighted_sum, "what is no weighted sum has slopes to tell");
+            static_assert(I::traits.weighted_sum, "what is no weighted sum has slopes to tell");
             return patch.weighted(nodes);
-        } else if constexpr (I::weighted_sum) {
+        } else if constexpr (I::traits.weighted_sum) {
             Sum sum = patch.weighted(nodes);
             sum.parts.push_back(patch.cubics());
             return sum;

@@ -13,9 +13,6 @@ struct Place {
     Real x, y;  ///< from there, 0 to 1
 };
 
-/// The last of a scheme's sources: where the thesis has it, if it does.
-std::string thesis_part(std::string_view source);
-
 /// "ρ(3, 7)", by the node that a periodic border repeats.
 std::string node_name(std::string_view symbol, const Field& q, const Boundary& boundary, int i, int j);
 

@@ -10,11 +10,8 @@ namespace {
 SchemeSet base_of(SchemeSet schemes) {
     const bool clamps =
         Bases::dispatch(schemes.base, []<class B>(std::type_identity<B>) { return B::clamps_base; });
-    const Expansion expansion = schemes.expansion();
-    for (std::size_t k = 0; k < Advectors::infos.size(); ++k) {
-        schemes.advector = Advectors::Id::at(k);
-        if (!schemes.predictor_corrector() && schemes.expansion() == expansion) break;
-    }
+    schemes.advector = Bases::dispatch(
+        schemes.base, []<class B>(std::type_identity<B>) { return Advectors::of<typename B::Whole>(); });
     schemes.limiter = clamps ? Limiters::of<ClampLimiter>() : Limiters::of<NoLimiter>();
     return schemes;
 }
@@ -70,10 +67,8 @@ class Marker {
 
     Field advect(const Field& q, const SchemeSet& schemes, double dt, Mover& mover) {
         Field moved = last_.boundary->field(q.site());
-        Group group;
-        group.add(q, moved);
         mover.set(schemes, last_.boundary->grid().dimensions(), last_.setup.seed);
-        mover.advect(group, *last_.velocity, dt, *last_.boundary, pool_);
+        mover.advect(q, moved, *last_.velocity, dt, *last_.boundary, pool_);
         return moved;
     }
 

@@ -1,8 +1,7 @@
 // Cubic B-spline approximation.
 #pragma once
 
-#include "core/interpolation/interval.h"
-#include "core/schemes/scheme.h"
+#include "core/interpolation/traits.h"
 
 namespace whorl {
 
@@ -13,11 +12,12 @@ struct BSpline {
     static constexpr SchemeInfo info{
         "b-spline", "Cubic B-spline", "Steffen et al. 2008; thesis table A.3",
         "Approximates instead of interpolating, so that even a step at rest blurs."};
-    static constexpr int support = 4;
-    static constexpr bool overshoots = true;
-    static constexpr bool weighted_sum = true;
-    /// Fewer samples than this between two walls have no internal row in the table.
-    static constexpr int min_samples = 4;
+    static constexpr InterpolationTraits traits{.samples = 4,
+                                                .overshoots = true,
+                                                .weighted_sum = true,
+                                                .approximates = true,
+                                                .order = 2,
+                                                .min_samples = 4};
 
     /// @param qm … q2 samples i − 1 … i + 2, any unit
     /// @param t       place in [i, i + 1], 0 to 1

@@ -12,9 +12,8 @@ struct Bicubic {
     static constexpr SchemeInfo info{
         "bicubic", "Bicubic", "thesis eq. A.17–A.21",
         "One patch a cell from values and derivatives; equals Catmull-Rom in x and y."};
-    static constexpr int support = 4;
-    static constexpr bool overshoots = true;
-    static constexpr bool weighted_sum = true;
+    static constexpr InterpolationTraits traits{
+        .samples = 4, .overshoots = true, .weighted_sum = true, .order = 3};
 
     /// @param qm … q2 samples i − 1 … i + 2, any unit
     /// @param t       place in [i, i + 1], 0 to 1

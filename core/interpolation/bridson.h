@@ -1,8 +1,7 @@
 // Bridson's cubic interpolation.
 #pragma once
 
-#include "core/interpolation/interval.h"
-#include "core/schemes/scheme.h"
+#include "core/interpolation/traits.h"
 
 namespace whorl {
 
@@ -11,9 +10,8 @@ namespace whorl {
 struct Bridson {
     static constexpr SchemeInfo info{"bridson", "Bridson cubic", "Bridson 2008; thesis eq. A.10",
                                      "The cubic through the four nearest samples. Sharp, but overshoots."};
-    static constexpr int support = 4;
-    static constexpr bool overshoots = true;
-    static constexpr bool weighted_sum = true;
+    static constexpr InterpolationTraits traits{
+        .samples = 4, .overshoots = true, .weighted_sum = true, .order = 4};
 
     /// @param qm … q2 samples i − 1 … i + 2, any unit
     /// @param t       place in [i, i + 1], 0 to 1

@@ -2,8 +2,7 @@
 #pragma once
 
 #include "core/interpolation/hermite.h"
-#include "core/interpolation/interval.h"
-#include "core/schemes/scheme.h"
+#include "core/interpolation/traits.h"
 
 namespace whorl {
 
@@ -13,9 +12,8 @@ struct CatmullRom {
     static constexpr SchemeInfo info{
         "catmull-rom", "Catmull-Rom", "Catmull and Rom 1974; thesis eq. A.8",
         "The cubic with central slopes. Sharp, but overshoots near steep edges."};
-    static constexpr int support = 4;
-    static constexpr bool overshoots = true;
-    static constexpr bool weighted_sum = true;
+    static constexpr InterpolationTraits traits{
+        .samples = 4, .overshoots = true, .weighted_sum = true, .order = 3};
 
     /// @param qm … q2 samples i − 1 … i + 2, any unit
     /// @param t       place in [i, i + 1], 0 to 1

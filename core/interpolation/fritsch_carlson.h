@@ -2,8 +2,7 @@
 #pragma once
 
 #include "core/interpolation/hermite.h"
-#include "core/interpolation/interval.h"
-#include "core/schemes/scheme.h"
+#include "core/interpolation/traits.h"
 
 namespace whorl {
 
@@ -14,9 +13,8 @@ struct FritschCarlson {
     static constexpr SchemeInfo info{"fritsch-carlson", "Fritsch-Carlson",
                                      "Fritsch and Carlson 1980; thesis eq. 3.20–3.23",
                                      "A cubic with slopes limited so that it never overshoots."};
-    static constexpr int support = 4;
-    static constexpr bool overshoots = false;
-    static constexpr bool weighted_sum = false;
+    static constexpr InterpolationTraits traits{
+        .samples = 4, .overshoots = false, .weighted_sum = false, .order = 3};
 
     /// @param qm … q2 samples i − 1 … i + 2, any unit
     /// @param t       place in [i, i + 1], 0 to 1
@@ -44,9 +42,8 @@ struct FritschCarlsonSquare {
     static constexpr SchemeInfo info{
         "fritsch-carlson-square", "Fritsch-Carlson, square", "Fritsch and Carlson 1980; thesis sec. A.3",
         "Fritsch-Carlson with each slope limited by itself: the smallest change."};
-    static constexpr int support = 4;
-    static constexpr bool overshoots = false;
-    static constexpr bool weighted_sum = false;
+    static constexpr InterpolationTraits traits{
+        .samples = 4, .overshoots = false, .weighted_sum = false, .order = 3};
 
     /// @param qm … q2 samples i − 1 … i + 2, any unit
     /// @param t       place in [i, i + 1], 0 to 1

@@ -1,8 +1,7 @@
 // Linear interpolation.
 #pragma once
 
-#include "core/interpolation/interval.h"
-#include "core/schemes/scheme.h"
+#include "core/interpolation/traits.h"
 
 namespace whorl {
 
@@ -12,9 +11,8 @@ struct Linear {
     static constexpr SchemeInfo info{
         "linear", "Linear", "Stam 1999; thesis eq. 3.11",
         "The straight line between neighbours. Never overshoots, smears the most."};
-    static constexpr int support = 2;
-    static constexpr bool overshoots = false;
-    static constexpr bool weighted_sum = true;
+    static constexpr InterpolationTraits traits{
+        .samples = 2, .bilinear = true, .overshoots = false, .weighted_sum = true, .order = 2};
 
     /// @param q0, q1 samples i and i + 1, any unit
     /// @param t      place in the interval, 0 to 1

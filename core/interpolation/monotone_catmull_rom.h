@@ -2,8 +2,7 @@
 #pragma once
 
 #include "core/interpolation/hermite.h"
-#include "core/interpolation/interval.h"
-#include "core/schemes/scheme.h"
+#include "core/interpolation/traits.h"
 
 namespace whorl {
 
@@ -14,9 +13,8 @@ struct MonotoneCatmullRom {
     static constexpr SchemeInfo info{
         "monotone-catmull-rom", "Monotone Catmull-Rom", "Fedkiw, Stam and Jensen 2001; thesis sec. A.1",
         "Catmull-Rom with slopes of the wrong sign set to 0. Not quite monotone."};
-    static constexpr int support = 4;
-    static constexpr bool overshoots = true;
-    static constexpr bool weighted_sum = false;
+    static constexpr InterpolationTraits traits{
+        .samples = 4, .overshoots = true, .weighted_sum = false, .order = 3};
 
     /// @param qm … q2 samples i − 1 … i + 2, any unit
     /// @param t       place in [i, i + 1], 0 to 1

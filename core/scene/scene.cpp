@@ -13,16 +13,19 @@ constexpr double max_cells = 1 << 23;  // a field of them takes 32 MiB, a run so
 
 std::string conflict_of(const SchemeSet& s, std::string_view what, const Scene& scene) {
     const std::string of = " for the " + std::string(what);
-    if (s.affine() && s.interpolation != Interpolations::of<Linear>()) {
+    const InterpolationTraits interpolation = s.interpolation_traits();
+    if (s.affine() && !interpolation.bilinear) {
         return std::string(s.predictor_corrector() ? s.base.key() : s.advector.key()) +
                " takes values and gradients from linear weights (thesis eq. 4.2-4.3), not from " +
                std::string(s.interpolation.key()) + of + "; set interpolation=linear";
     }
     const Grid grid = scene.grid();
-    const bool too_few =
-        grid.nx < BSpline::min_samples || (grid.dimensions() == 2 && grid.ny < BSpline::min_samples);
-    if (s.interpolation == Interpolations::of<BSpline>() && scene.sides == Sides::of<Box>() && too_few) {
-        return "b-spline needs at least 4 cells along each side of a box (thesis table A.3)" + of;
+    const bool too_few = grid.nx < interpolation.min_samples ||
+                         (grid.dimensions() == 2 && grid.ny < interpolation.min_samples);
+    if (scene.sides == Sides::of<Box>() && too_few) {
+        return std::string(s.interpolation.key()) + " needs at least " +
+               std::to_string(interpolation.min_samples) + " cells along each side of a box (" +
+               thesis_part(s.interpolation.info().source) + ")" + of;
     }
     return {};
 }

@@ -30,7 +30,7 @@ using Advectors = SchemeList<SemiLagrangian,  //
                              AslamZero,       //
                              AslamBilinear>;
 
-/// What a predictor-corrector takes as its step A.
+/// What a predictor-corrector takes as its step A: the step of the advector that it names as `Whole`.
 using Bases = SchemeList<SemiLagrangian,  //
                          Aslam,           //
                          AslamClamped,    //
@@ -88,6 +88,16 @@ struct SchemeSet {
     Expansion expansion() const {
         const auto of = []<class A>(std::type_identity<A>) { return A::expansion; };
         return predictor_corrector() ? Bases::dispatch(base, of) : Advectors::dispatch(advector, of);
+    }
+    bool seeded() const {
+        return Stencils::dispatch(stencil, []<class S>(std::type_identity<S>) { return S::seeded; });
+    }
+    bool x_first() const {
+        return AxisOrders::dispatch(axis_order, []<class A>(std::type_identity<A>) { return A::x_first; });
+    }
+    InterpolationTraits interpolation_traits() const {
+        return Interpolations::dispatch(interpolation,
+                                        []<class I>(std::type_identity<I>) { return I::traits; });
     }
     /// Whether the step is of the ASLAM family, which samples linearly.
     bool affine() const { return expansion() != Expansion::None; }

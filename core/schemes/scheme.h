@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <tuple>
 #include <type_traits>
@@ -20,6 +21,9 @@ struct SchemeInfo {
     std::string_view source;
     std::string_view help;
 };
+
+/// The last of a scheme's sources: where the thesis has it, if it does.
+std::string thesis_part(std::string_view source);
 
 /// A closed list of scheme types, each with a static `info`. The first one is the default.
 template <class... Schemes>

@@ -156,30 +156,23 @@ void Simulation::project() {
 void Simulation::advect() {
     const ScopeTimer watch(measures_.ms.advection);
     const bool solved = experiment_->flow == nullptr;
-    // Fields that move by the same schemes move together, and share what they can. Where the flow is given,
-    // only the density is advected.
+    // Fields that are advected by the same schemes go together, and share what they can. Where the flow is
+    // given, only the density is advected.
     const std::size_t scalars = solved ? state_.scalars.size() : 1;
-    const auto move = [&](Mover& mover, Groups groups) {
-        mover.advect(groups, state_.velocity, scene_.dt, state_.boundary, *pool_);
-    };
-    std::array<Group, 3> groups;
-    auto& [first, u, v] = groups;
-    u.add(state_.velocity.u, next_.velocity.u);
-    v.add(state_.velocity.v, next_.velocity.v);
-    const auto batch = [&](Group& group, std::size_t from) {
-        const std::size_t end = std::min<std::size_t>(scalars, from + Group::max_fields);
-        for (std::size_t k = from; k < end; ++k) group.add(state_.scalars[k], next_.scalars[k]);
-    };
-    batch(first, 0);
-    const bool together = solved && scalars_mover_.schemes() == velocity_mover_.schemes();
-    move(scalars_mover_, Groups(groups).first(together ? groups.size() : 1));
-    for (std::size_t from = Group::max_fields; from < scalars; from += Group::max_fields) {
-        Group more;
-        batch(more, from);
-        move(scalars_mover_, Groups(&more, 1));
-    }
+    moving_.clear();
+    for (std::size_t k = 0; k < scalars; ++k) moving_.push_back({&state_.scalars[k], &next_.scalars[k]});
     if (solved) {
-        if (!together) move(velocity_mover_, Groups(groups).last(2));
+        moving_.push_back({&state_.velocity.u, &next_.velocity.u});
+        moving_.push_back({&state_.velocity.v, &next_.velocity.v});
+    }
+    const std::span<const AdvectedField> all = moving_;
+    const bool together = solved && scalars_mover_.schemes() == velocity_mover_.schemes();
+    const auto move = [&](Mover& mover, std::span<const AdvectedField> which) {
+        mover.advect(which, state_.velocity, scene_.dt, state_.boundary, *pool_);
+    };
+    move(scalars_mover_, together ? all : all.first(scalars));
+    if (solved) {
+        if (!together) move(velocity_mover_, all.last(2));
         std::swap(state_.velocity, next_.velocity);
         state_.boundary.enforce(state_.velocity);
     }

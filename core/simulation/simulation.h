@@ -75,6 +75,7 @@ class Simulation {
     Projection projection_;
     Confinement confinement_;
     Mover velocity_mover_, scalars_mover_;
+    std::vector<AdvectedField> moving_;  ///< scalars, u, v; kept for its memory
     Fields next_;
     Field exact_;
     /// Of the last step: what it moved is then in next_ as it was before.

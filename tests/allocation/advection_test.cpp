@@ -11,11 +11,10 @@ TEST(Advection, AllocatesOnlyInItsFirstStep) {
     const Stirred from({{70, 50, 1}, Sides::of<Box>(), true}, 1.5);
     Field density = from.density, temperature = from.temperature;
     FaceVelocity velocity = from.velocity;
-    Group groups[3];
-    groups[0].add(from.density, density);
-    groups[0].add(from.temperature, temperature);
-    groups[1].add(from.velocity.u, velocity.u);
-    groups[2].add(from.velocity.v, velocity.v);
+    const AdvectedField fields[] = {{&from.density, &density},
+                                    {&from.temperature, &temperature},
+                                    {&from.velocity.u, &velocity.u},
+                                    {&from.velocity.v, &velocity.v}};
     Pool pool(2);
     for (std::size_t a = 0; a < Advectors::infos.size(); ++a) {
         for (std::size_t b = 0; b < Bases::infos.size(); ++b) {
@@ -28,7 +27,7 @@ TEST(Advection, AllocatesOnlyInItsFirstStep) {
                 Mover mover;
                 const auto step = [&] {
                     mover.set(schemes, 2, 1);
-                    mover.advect(groups, from.velocity, 1, from.boundary, pool);
+                    mover.advect(fields, from.velocity, 1, from.boundary, pool);
                 };
                 step();
                 const long before = test::allocations();

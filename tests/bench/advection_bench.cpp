@@ -61,12 +61,11 @@ void advection(benchmark::State& run, const Setup& setup) {
     stir(from, cfl, scene.dt);
     Mover mover;
     mover.set(scene.scalars, scene.dimensions, scene.seed);
-    Group groups[3];
-    groups[0].add(from.density(), to.density());
-    groups[0].add(from.temperature(), to.temperature());
-    groups[1].add(from.velocity.u, to.velocity.u);
-    groups[2].add(from.velocity.v, to.velocity.v);
-    for (auto _ : run) mover.advect(groups, from.velocity, scene.dt, from.boundary, pool);
+    const AdvectedField fields[] = {{&from.density(), &to.density()},
+                                    {&from.temperature(), &to.temperature()},
+                                    {&from.velocity.u, &to.velocity.u},
+                                    {&from.velocity.v, &to.velocity.v}};
+    for (auto _ : run) mover.advect(fields, from.velocity, scene.dt, from.boundary, pool);
     const double cells = static_cast<double>(run.range(0)) * static_cast<double>(run.range(0));
     run.counters["ns_per_cell"] = benchmark::Counter(
         cells * 1e-9, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);

@@ -115,9 +115,7 @@ class AdvectorContract : public testing::TestWithParam<Combination> {
         Mover mover;
         mover.set(GetParam().schemes, 2, 1);
         Field out = boundary.field(q.site());
-        Group group;
-        group.add(q, out);
-        mover.advect(group, velocity, dt, boundary, pool);
+        mover.advect(q, out, velocity, dt, boundary, pool);
         return out;
     }
 };
@@ -134,7 +132,7 @@ TEST_P(AdvectorContract, NoTimeIsTheIdentity) {
     const SchemeSet& s = GetParam().schemes;
     // The scheme itself moves things at rest: ASLAM by its cross difference, the B-spline by approximating.
     const bool moves_at_rest = (s.affine() && s.zeta > 0 && s.expansion() != Expansion::CrossTerm) ||
-                               s.interpolation == Interpolations::of<BSpline>();
+                               s.interpolation_traits().approximates;
     if (moves_at_rest) return;  // by its formula
     const Field q = random_field();
     const Field out = advected(q, random_velocity(), 0);
@@ -145,8 +143,7 @@ TEST_P(AdvectorContract, NoTimeIsTheIdentity) {
 
 TEST_P(AdvectorContract, StaysInTheRangeThatItsLimiterPromises) {
     const SchemeSet& s = GetParam().schemes;
-    const bool interpolation_bounds = Interpolations::dispatch(
-        s.interpolation, [&]<class I>(std::type_identity<I>) { return !I::overshoots || s.clamped; });
+    const bool interpolation_bounds = !s.interpolation_traits().overshoots || s.clamped;
     const bool clamps =
         s.limiter == Limiters::of<ClampLimiter>() && s.advector != Advectors::of<SemiLagrangian>();
     // Reverting helps as far as the result that it reverts to is bounded.
@@ -211,9 +208,7 @@ TEST(LinearSemiLagrangian, KeepsPeriodicMassInUniformFlow) {
     constexpr int steps = 50;
     for (int step = 0; step < steps; ++step) {
         Field out = boundary.field(Site::Centre);
-        Group group;
-        group.add(q, out);
-        mover.advect(group, velocity, 0.1, boundary, pool);
+        mover.advect(q, out, velocity, 0.1, boundary, pool);
         q = out;
     }
     double after = 0;

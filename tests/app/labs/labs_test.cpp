@@ -157,7 +157,7 @@ RC_GTEST_PROP(InterpolationLab, CurvesAreTheSchemesOwn, ()) {
         sample_field(row, schemes, false, place, value);
         const Real expected =
             Interpolations::dispatch(schemes.interpolation, [&]<class I>(std::type_identity<I>) {
-                if constexpr (I::support == 2) {
+                if constexpr (TwoSampleInterpolation<I>) {
                     return I::at(row(i, 0), row(i + 1, 0), t);
                 } else {
                     const whorl::Interval in{i, row.width() - 1, false};

@@ -67,13 +67,12 @@ struct Step1 {
         setup = {schemes, schemes, 1, seed};
         Mover mover;
         mover.set(schemes, grid.dimensions(), seed);
-        std::array<Group, 3> groups;
-        groups[0].add(density, next_density);
-        groups[0].add(temperature, next_temperature);
-        groups[1].add(velocity.u, next_velocity.u);
-        groups[2].add(velocity.v, next_velocity.v);
+        const AdvectedField fields[] = {{&density, &next_density},
+                                        {&temperature, &next_temperature},
+                                        {&velocity.u, &next_velocity.u},
+                                        {&velocity.v, &next_velocity.v}};
         Pool pool(1);
-        mover.advect(groups, velocity, setup.dt, boundary, pool);
+        mover.advect(fields, velocity, setup.dt, boundary, pool);
         boundary.enforce(next_velocity);
     }
     LastAdvection last() const {

@@ -17,7 +17,7 @@ constexpr Interval inside{5, 20, true};
 /// Any scheme at t between samples 1 and 2 of four.
 template <class I>
 Real at(const Real (&q)[4], Real t) {
-    if constexpr (I::support == 2) {
+    if constexpr (TwoSampleInterpolation<I>) {
         return I::at(q[1], q[2], t);
     } else {
         return I::at(q[0], q[1], q[2], q[3], t, inside);
@@ -37,7 +37,7 @@ void for_each_interpolation(F&& f) {
 TEST(Interpolation, ReproducesItsNodesUnlessItApproximates) {
     for_each_interpolation([]<class I>(std::type_identity<I>) {
         const Real q[4] = {3, -1, 4, 1.5};
-        if (std::is_same_v<I, BSpline>) {
+        if (I::traits.approximates) {
             EXPECT_GT(std::abs(at<I>(q, 0) - q[1]), 0.1);
             return;
         }
@@ -84,10 +84,7 @@ TEST(Interpolation, HasTheOrderItStates) {
     const double slack = 0.25;  // two grids of 16 and 32 are not yet the limit
     for_each_interpolation([slack]<class I>(std::type_identity<I>) {
         const Interpolations::Id id = Interpolations::of<I>();
-        const double stated = std::is_same_v<I, Linear> || std::is_same_v<I, BSpline> ? 2
-                              : std::is_same_v<I, Bridson>                            ? 4
-                                                                                      : 3;
-        EXPECT_NEAR(measured_order(id), stated, slack);
+        EXPECT_NEAR(measured_order(id), I::traits.order, slack);
     });
 }
 
