@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
+#include "app/charts/charts.h"
 #include "app/charts/measure_tabs.h"
 #include "app/plot/stack_plot.h"
 #include "app/ui/widgets.h"
@@ -10,43 +12,48 @@
 namespace whorl::app {
 namespace {
 
-void quantity_chips(PanelContext& context) {
-    const float gap = ImGui::GetStyle().ItemSpacing.x;
-    const float width = std::floor((ImGui::GetContentRegionAvail().x - gap) / 2);
-    bool& of_enstrophy = context.measures.of_enstrophy;
-    if (chip(context.theme, "Energy", !of_enstrophy, width)) of_enstrophy = false;
-    context.log.control("budget=energy");
-    context.tooltip.item(
-        context.theme, "budget=energy",
-        {"Energy budget",
-         "How much kinetic energy, ½∫|u|², forces, projection and advection gave or took in each "
-         "step. What advection takes is numerical dissipation.",
-         "", "", ""});
-    ImGui::SameLine();
-    if (chip(context.theme, "Enstrophy", of_enstrophy, width)) of_enstrophy = true;
-    context.log.control("budget=enstrophy");
-    context.tooltip.item(
-        context.theme, "budget=enstrophy",
-        {"Enstrophy budget",
-         "How much enstrophy, ½∫ω², forces, projection and advection gave or took in each step.", "", "",
-         ""});
+/// "a, b and c" of the legend.
+std::string phases_of(const Chart& chart) {
+    std::string text;
+    for (auto measure = chart.curves.rbegin(); measure != chart.curves.rend(); ++measure) {
+        if (!text.empty()) text += std::next(measure) == chart.curves.rend() ? " and " : ", ";
+        text += (*measure)->label();
+    }
+    return text;
 }
 
-std::optional<double> draw_budget(PanelContext& context, float height) {
+void quantity_chips(PanelContext& context, const std::vector<Chart>& budgets) {
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    const auto count = static_cast<float>(budgets.size());
+    const float width = std::floor((ImGui::GetContentRegionAvail().x - (count - 1) * gap) / count);
+    for (std::size_t k = 0; k < budgets.size(); ++k) {
+        const Chart& budget = budgets[k];
+        if (k > 0) ImGui::SameLine();
+        if (chip(context.theme, budget.title.c_str(), context.measures.budget == k, width))
+            context.measures.budget = k;
+        const std::string key = "budget=" + budget.title;
+        context.log.control(key);
+        const std::string help = "How much " + budget.first().plot.shared + ", " + phases_of(budget) +
+                                 " gave or took in each step. What advection takes is numerical dissipation.";
+        context.tooltip.item(context.theme, key, {budget.title + " budget", help, "", "", ""});
+    }
+}
+
+std::optional<double> draw_budget(PanelContext& context, const Chart& budget, float height) {
     const Theme& theme = context.theme;
     const SessionSnapshot& moment = context.client.session();
     const std::size_t place = context.client.selected();
     const LaneHistory& lane = context.history.lane(moment.ids[place]);
-    const bool z = context.measures.of_enstrophy;
-    const auto& colours = theme.palette.series;
-    Series parts[] = {
-        {"forces", colours[2], lane.of(z ? Track::EnstrophyByForces : Track::EnergyByForces)},
-        {"projection", colours[1], lane.of(z ? Track::EnstrophyByProjection : Track::EnergyByProjection)},
-        {"advection", colours[0], lane.of(z ? Track::EnstrophyByAdvection : Track::EnergyByAdvection)}};
-    for (Series& part : parts) part.x = lane.steps;
+    std::vector<Series> parts;
+    for (auto measure = budget.curves.rbegin(); measure != budget.curves.rend(); ++measure) {
+        const Plotting& plot = (*measure)->plot;
+        Series part{(*measure)->label(), theme.lane(plot.colour), lane.of(**measure)};
+        part.x = lane.steps;
+        parts.push_back(part);
+    }
     const std::string& name = context.names.name(place);
-    const std::string title = std::string(z ? "Enstrophy" : "Energy") + " a step" +
-                              (moment.lanes.size() > 1 ? " · " + name : std::string());
+    const std::string title =
+        budget.title + " a step" + (moment.lanes.size() > 1 ? " · " + name : std::string());
     Plot plot;
     plot.title = title;
     plot.marker = context.measures.marker;
@@ -63,26 +70,26 @@ std::optional<double> draw_budget(PanelContext& context, float height) {
     return x;
 }
 
-std::optional<double> draw_viscosity(PanelContext& context, float height) {
+std::optional<double> draw_lanes(PanelContext& context, const Chart& chart, float height) {
     const SessionSnapshot& moment = context.client.session();
     std::vector<Series> series;
     for (std::size_t k = 0; k < moment.lanes.size(); ++k) {
         const LaneHistory& lane = context.history.lane(moment.ids[k]);
-        Series one{context.names.name(k), context.theme.lane(static_cast<int>(k)),
-                   lane.of(Track::EffectiveViscosity)};
+        Series one{context.names.name(k), context.theme.lane(static_cast<int>(k)), lane.of(chart.first())};
         one.x = lane.steps;
         series.push_back(one);
     }
+    const std::string unit = chart.unit();
     Plot plot;
-    plot.title = "Effective viscosity";
-    plot.unit = "length²/time";
+    plot.title = chart.title;
+    plot.unit = unit;
     plot.legend = false;
     plot.marker = context.measures.marker;
     plot.size = {0, height};
     plot.empty_text =
         is_solved(context.snapshot()) ? "still air so far" : "the flow is given, not solved for";
     const auto x = draw_on_card(context, plot, series);
-    context.log.control("plot=viscosity");
+    context.log.control("plot=" + chart.key);
     return x;
 }
 
@@ -90,13 +97,19 @@ std::optional<double> draw_viscosity(PanelContext& context, float height) {
 
 void draw_budget_tab(PanelContext& context) {
     const Theme& theme = context.theme;
-    quantity_chips(context);
+    const std::vector<Chart> budgets = charts_of(Page::BudgetShares);
+    const std::vector<Chart> charts = lanes_charts_of(Page::Budget, *context.measures.norm);
+    quantity_chips(context, budgets);
     const float note = 4 * theme.small->FontSize;
     const float room = ImGui::GetContentRegionAvail().y - note - 3 * ImGui::GetStyle().ItemSpacing.y;
-    const float height = std::floor(std::clamp(0.5f * room, theme.px(150), theme.px(340)));
-    const auto in_budget = draw_budget(context, height);
-    const auto in_viscosity = draw_viscosity(context, height);
-    context.measures.marker = in_budget ? in_budget : in_viscosity;
+    const float share = room / static_cast<float>(1 + charts.size());
+    const float height = std::floor(std::clamp(share, theme.px(150), theme.px(340)));
+    auto hovered = draw_budget(context, budgets[context.measures.budget], height);
+    for (const Chart& chart : charts) {
+        const auto x = draw_lanes(context, chart, height);
+        if (!hovered) hovered = x;
+    }
+    context.measures.marker = hovered;
     ImGui::PushFont(theme.small);
     ImGui::PushTextWrapPos(0);
     text(theme.palette.text_dim,

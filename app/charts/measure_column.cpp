@@ -28,23 +28,24 @@ constexpr Tab tabs[] = {
     {MeasureTab::Table, "Table", "The present values of every lane, to sort.", draw_table_tab},
 };
 
-/// Of the selected lane.
+/// Of the selected lane, as many figures as there is room for.
 void figures_line(PanelContext& context) {
-    const Measures& m = context.snapshot().measures;
     const Theme& theme = context.theme;
     ImGui::PushFont(theme.mono);
-    const std::string smoke =
-        "Σρ " +
-        (m.density_percent == m.density_percent ? figure(m.density_percent, 4) + " %" : std::string("–"));
-    text(theme.palette.text, smoke);
-    ImGui::SameLine(0, theme.px(18));
-    text(theme.palette.text, "CFL " + figure(m.cfl, 3));
-    const std::string largest = "max|∇·u| " + figure(m.divergence_after, 2);
-    ImGui::SameLine(0, theme.px(18));
-    if (ImGui::CalcTextSize(largest.c_str()).x <= ImGui::GetContentRegionAvail().x) {
-        text(theme.palette.text, largest);
-    } else {
-        ImGui::NewLine();
+    bool begun = false;
+    for (const Measure* measure : measures().all()) {
+        const Headline& headline = measure->headline;
+        if (headline.symbol.empty()) continue;
+        const double value = measure->value(context.snapshot().measures);
+        const std::string shown = std::isnan(value) ? "–" : figure(value, headline.digits) + headline.unit;
+        const std::string line = headline.symbol + " " + shown;
+        if (begun) ImGui::SameLine(0, theme.px(18));
+        if (begun && ImGui::CalcTextSize(line.c_str()).x > ImGui::GetContentRegionAvail().x) {
+            ImGui::NewLine();
+            break;
+        }
+        text(theme.palette.text, line);
+        begun = true;
     }
     ImGui::PopFont();
 }

@@ -12,8 +12,8 @@ enum class MeasureTab { Plots, Spectrum, Budget, Table };
 
 struct MeasureView {
     MeasureTab tab = MeasureTab::Plots;
-    Track norm = Track::L2;        ///< of the errors, where each lane has one curve
-    bool of_enstrophy = false;     ///< the budget's quantity, else energy
+    const Measure* norm = &measures().find("L2");  ///< of the errors, where each lane has one curve
+    std::size_t budget = 0;        ///< the one that is shown, of charts_of(Page::BudgetShares)
     std::optional<double> marker;  ///< x of the plot sample under the pointer, a hairline in the others
     Spectra spectra;
 };

@@ -4,70 +4,13 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/charts/charts.h"
 #include "app/charts/measure_tabs.h"
 #include "app/ui/widgets.h"
 #include "core/experiments/experiment.h"
 
 namespace whorl::app {
 namespace {
-
-/// A curve of a chart.
-struct Curve {
-    const char* label;
-    Track track;
-};
-
-/// A plot of the run's history.
-struct Chart {
-    /// A flow that is solved for; something to compare with; limiters that are watched.
-    enum class When { Always, Solved, Errors, Limiters };
-    enum class Scale { Fitted, Logarithmic, Percent, Density, Milliseconds };
-
-    const char* title;
-    const char* unit;
-    Scale scale;
-    When when;
-    std::span<const Curve> curves;  ///< of one lane; of several lanes the first is shown of each
-};
-
-constexpr Curve total[] = {{"of what was put in", Track::DensityPercent}};
-constexpr Curve error[] = {{"L1", Track::L1}, {"L2", Track::L2}, {"L∞", Track::Linf}};
-constexpr Curve energy[] = {{"½∫|u|²", Track::KineticEnergy}};
-constexpr Curve enstrophy[] = {{"½∫ω²", Track::Enstrophy}};
-constexpr Curve extrema[] = {{"max", Track::MaxDensity}, {"min", Track::MinDensity}};
-constexpr Curve largest[] = {{"max", Track::MaxDensity}};
-constexpr Curve smallest[] = {{"min", Track::MinDensity}};
-constexpr Curve limited[] = {{"smoke", Track::LimitedDensity}, {"velocity", Track::LimitedVelocity}};
-constexpr Curve divergence[] = {{"after", Track::DivergenceAfter}, {"before", Track::DivergenceBefore}};
-constexpr Curve phases[] = {{"total", Track::TotalMs},
-                            {"projection", Track::ProjectionMs},
-                            {"advection", Track::AdvectionMs},
-                            {"forces", Track::ForcesMs}};
-
-using Scale = Chart::Scale;
-using When = Chart::When;
-
-constexpr Chart of_one_lane[] = {
-    {"Error", "", Scale::Logarithmic, When::Errors, error},
-    {"Total smoke", "%", Scale::Percent, When::Always, total},
-    {"Kinetic energy", "", Scale::Fitted, When::Solved, energy},
-    {"Enstrophy", "", Scale::Fitted, When::Solved, enstrophy},
-    {"Density", "", Scale::Density, When::Always, extrema},
-    {"Limited nodes", "", Scale::Fitted, When::Limiters, limited},
-    {"Max |∇·u|", "1/time", Scale::Logarithmic, When::Solved, divergence},
-    {"Step time", "ms", Scale::Milliseconds, When::Always, phases},
-};
-constexpr Chart of_many_lanes[] = {
-    {"Error", "", Scale::Logarithmic, When::Errors, error},
-    {"Total smoke", "%", Scale::Percent, When::Always, total},
-    {"Kinetic energy", "", Scale::Fitted, When::Solved, energy},
-    {"Enstrophy", "", Scale::Fitted, When::Solved, enstrophy},
-    {"Largest density", "", Scale::Density, When::Always, largest},
-    {"Smallest density", "", Scale::Density, When::Always, smallest},
-    {"Limited nodes of smoke", "", Scale::Fitted, When::Limiters, limited},
-    {"Max |∇·u|", "1/time", Scale::Logarithmic, When::Solved, divergence},
-    {"Step time", "ms", Scale::Milliseconds, When::Always, phases},
-};
 
 /// A line of a chart, of whichever lane.
 struct Line {
@@ -77,49 +20,39 @@ struct Line {
 };
 
 bool wanted(const Chart& chart, const SessionSnapshot& moment) {
-    if (chart.when == When::Errors) return has_errors(moment);
-    if (chart.when == When::Limiters)
-        return std::any_of(moment.lanes.begin(), moment.lanes.end(),
-                           [](const Snapshot& lane) { return lane.limits.has_value(); });
-    if (chart.when == When::Solved) return std::any_of(moment.lanes.begin(), moment.lanes.end(), is_solved);
+    switch (chart.needs()) {
+        case Needs::Reference:
+            return has_errors(moment);
+        case Needs::LimiterMasks:
+            return std::any_of(moment.lanes.begin(), moment.lanes.end(),
+                               [](const Snapshot& lane) { return lane.limits.has_value(); });
+        case Needs::SolvedFlow:
+            return std::any_of(moment.lanes.begin(), moment.lanes.end(), is_solved);
+        case Needs::Nothing:
+            break;
+    }
     return true;
 }
 
-std::vector<const Chart*> charts_for(const SessionSnapshot& moment) {
-    const bool one = moment.lanes.size() == 1;
-    std::vector<const Chart*> chosen;
-    for (const Chart& chart : one ? std::span<const Chart>(of_one_lane) : of_many_lanes) {
-        if (wanted(chart, moment)) chosen.push_back(&chart);
-    }
-    return chosen;
-}
-
-const Curve& chosen_curve(const Chart& chart, const MeasureView& view) {
-    for (const Curve& curve : chart.curves) {
-        if (curve.track == view.norm) return curve;
-    }
-    return chart.curves.front();
-}
-
-/// The chart's title; with several lanes it says which norm is shown.
-std::string title_of(const Chart& chart, const SessionSnapshot& moment, const MeasureView& view) {
-    const bool norm = chart.when == When::Errors && moment.lanes.size() > 1;
-    return norm ? std::string(chart.title) + " " + chosen_curve(chart, view).label : chart.title;
+std::vector<Chart> charts_for(const SessionSnapshot& moment, const MeasureView& view) {
+    std::vector<Chart> charts =
+        moment.lanes.size() == 1 ? charts_of(Page::Plots) : lanes_charts_of(Page::Plots, *view.norm);
+    std::erase_if(charts, [&](const Chart& chart) { return !wanted(chart, moment); });
+    return charts;
 }
 
 std::vector<Line> lines_of(const Chart& chart, const History& history, const SessionSnapshot& moment,
-                           const LaneNames& names, const MeasureView& view) {
+                           const LaneNames& names) {
     std::vector<Line> lines;
     if (moment.lanes.size() == 1) {
         const LaneHistory& lane = history.lane(moment.ids.front());
-        for (const Curve& curve : chart.curves)
-            lines.push_back({curve.label, static_cast<int>(lines.size()), lane.steps, lane.of(curve.track)});
+        for (const Measure* measure : chart.curves)
+            lines.push_back({measure->label(), measure->plot.colour, lane.steps, lane.of(*measure)});
         return lines;
     }
-    const Track track = chosen_curve(chart, view).track;
     for (std::size_t k = 0; k < moment.lanes.size(); ++k) {
         const LaneHistory& lane = history.lane(moment.ids[k]);
-        lines.push_back({names.name(k), static_cast<int>(k), lane.steps, lane.of(track)});
+        lines.push_back({names.name(k), static_cast<int>(k), lane.steps, lane.of(chart.first())});
     }
     return lines;
 }
@@ -136,16 +69,17 @@ Interval around(const std::vector<float>& y, double low, double high) {
 /// Shares of smoke and densities get a scale that does not blow up rounding; times one that a factorisation
 /// now and then does not flatten.
 std::optional<Interval> range_of(const Chart& chart, const std::vector<Line>& lines) {
-    if (chart.scale == Scale::Fitted || chart.scale == Scale::Logarithmic) return {};
+    const Scale scale = chart.scale();
+    if (scale == Scale::Fitted || scale == Scale::Logarithmic) return {};
     std::vector<float> known;
     for (const Line& line : lines) {
         std::copy_if(line.y.begin(), line.y.end(), std::back_inserter(known),
                      [](float y) { return std::isfinite(y); });
-        if (chart.scale == Scale::Milliseconds && lines.size() == chart.curves.size()) break;  // the total
+        if (scale == Scale::Milliseconds && chart.curves.size() > 1) break;  // the total
     }
     if (known.empty()) return {};
-    if (chart.scale == Scale::Percent) return around(known, 99, 101);
-    if (chart.scale == Scale::Density) return around(known, 0, 0.05);
+    if (scale == Scale::Percent) return around(known, 99, 101);
+    if (scale == Scale::Density) return around(known, 0, 0.05);
     const auto high = known.begin() + static_cast<long>(0.98 * static_cast<double>(known.size()));
     std::nth_element(known.begin(), high, known.end());
     if (*high > 0) return Interval{0, 1.4 * static_cast<double>(*high)};
@@ -154,22 +88,22 @@ std::optional<Interval> range_of(const Chart& chart, const std::vector<Line>& li
 
 std::optional<double> draw(PanelContext& context, const Chart& chart, float height) {
     const SessionSnapshot& moment = context.client.session();
-    const std::vector<Line> lines = lines_of(chart, context.history, moment, context.names, context.measures);
+    const std::vector<Line> lines = lines_of(chart, context.history, moment, context.names);
     std::vector<Series> series;
     for (const Line& line : lines) {
         Series one{line.label, context.theme.lane(line.colour), line.y};
         one.x = line.x;
         series.push_back(one);
     }
-    const std::string title = title_of(chart, moment, context.measures);
+    const std::string unit = chart.unit();
     Plot plot;
-    plot.title = title;
-    plot.unit = chart.unit;
+    plot.title = chart.title;
+    plot.unit = unit;
     plot.legend = moment.lanes.size() == 1;
-    plot.log_y = chart.scale == Scale::Logarithmic;
+    plot.log_y = chart.scale() == Scale::Logarithmic;
     plot.y_range = range_of(chart, lines);
     plot.marker = context.measures.marker;
-    if (chart.when == When::Errors) plot.empty_text = "nothing to compare with so far";
+    if (chart.needs() == Needs::Reference) plot.empty_text = "nothing to compare with so far";
     plot.size = {0, height};
     return draw_on_card(context, plot, series);
 }
@@ -177,12 +111,17 @@ std::optional<double> draw(PanelContext& context, const Chart& chart, float heig
 void norm_chips(PanelContext& context) {
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     row_label(context.theme, "Error norm");
-    const float width = std::floor((ImGui::GetContentRegionAvail().x - 2 * gap) / 3);
-    for (const Curve& curve : error) {
-        if (&curve != error) ImGui::SameLine();
-        if (chip(context.theme, curve.label, context.measures.norm == curve.track, width))
-            context.measures.norm = curve.track;
-        const std::string key = "norm=" + std::string(curve.label);
+    std::vector<const Measure*> norms;
+    for (const Measure* measure : measures().all()) {
+        if (measure->needs == Needs::Reference && measure->plot.page == Page::Plots) norms.push_back(measure);
+    }
+    const auto count = static_cast<float>(norms.size());
+    const float width = std::floor((ImGui::GetContentRegionAvail().x - (count - 1) * gap) / count);
+    for (const Measure* norm : norms) {
+        if (norm != norms.front()) ImGui::SameLine();
+        if (chip(context.theme, norm->label().c_str(), context.measures.norm == norm, width))
+            context.measures.norm = norm;
+        const std::string key = "norm=" + norm->label();
         context.log.control(key);
         context.tooltip.item(context.theme, key,
                              {"Error norm",
@@ -236,14 +175,14 @@ void draw_plots_tab(PanelContext& context) {
     const Theme& theme = context.theme;
     const SessionSnapshot& moment = context.client.session();
     if (moment.lanes.size() > 1 && has_errors(moment)) norm_chips(context);
-    const auto charts = charts_for(moment);
+    const std::vector<Chart> charts = charts_for(moment, context.measures);
     const float gap = ImGui::GetStyle().ItemSpacing.y;
     const float room = ImGui::GetContentRegionAvail().y / static_cast<float>(charts.size() + 1) - gap;
     const float height = std::floor(std::clamp(room, theme.px(118), theme.px(320)));
     std::optional<double> hovered;
-    for (const Chart* chart : charts) {
-        const auto x = draw(context, *chart, height);
-        context.log.control("plot=" + std::string(chart->title));
+    for (const Chart& chart : charts) {
+        const auto x = draw(context, chart, height);
+        context.log.control("plot=" + chart.key);
         if (x) hovered = x;
     }
     if (!context.frames.intervals().empty()) draw_frame_time(context, height);
@@ -255,13 +194,13 @@ std::vector<SheetPlot> plots_of(const History& history, const SessionSnapshot& m
     LaneNames names;
     names.update(moment.setup);
     std::vector<SheetPlot> plots;
-    for (const Chart* chart : charts_for(moment)) {
-        if (chart->scale == Scale::Milliseconds) continue;
+    for (const Chart& chart : charts_for(moment, view)) {
+        if (chart.first().timing) continue;
         SheetPlot plot;
-        plot.title = title_of(*chart, moment, view);
-        plot.unit = chart->unit;
-        plot.log_y = chart->scale == Scale::Logarithmic;
-        for (const Line& line : lines_of(*chart, history, moment, names, view)) {
+        plot.title = chart.title;
+        plot.unit = chart.unit();
+        plot.log_y = chart.scale() == Scale::Logarithmic;
+        for (const Line& line : lines_of(chart, history, moment, names)) {
             const auto until =
                 std::upper_bound(line.x.begin(), line.x.end(), static_cast<float>(moment.step));
             const auto count = until - line.x.begin();

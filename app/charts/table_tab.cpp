@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
+#include <string>
+#include <vector>
 
 #include "app/charts/measure_tabs.h"
 #include "app/ui/widgets.h"
@@ -11,52 +12,39 @@
 namespace whorl::app {
 namespace {
 
-/// A measure of a lane as a column.
-struct Column {
-    enum class Best { None, Least, NearestZero, NearestHundred };
-
-    const char* label;
-    const char* help;
-    double (*value)(const Measures&);
-    Best best;
-};
-
-using Best = Column::Best;
-
-constexpr Column smoke[] = {
-    {"total, %", "Total smoke: what is left of what was put in. Best nearest to 100 %.  [thesis eq. 5.5]",
-     [](const Measures& m) { return m.density_percent; }, Best::NearestHundred},
-    {"min", "Smallest density.", [](const Measures& m) { return m.min_density; }, Best::None},
-    {"max", "Largest density.", [](const Measures& m) { return m.max_density; }, Best::None},
-};
-constexpr Column error[] = {
-    {"L1", "Mean error against the exact solution or the reference lane. Best least.  [thesis eq. 5.4]",
-     [](const Measures& m) { return m.errors.L1; }, Best::Least},
-    {"L2", "Root of the mean square error. Best least.  [thesis eq. 5.6]",
-     [](const Measures& m) { return m.errors.L2; }, Best::Least},
-    {"L∞", "Largest error. Best least.  [thesis eq. 5.7]", [](const Measures& m) { return m.errors.Linf; },
-     Best::Least},
-};
-constexpr Column flow[] = {
-    {"energy", "Kinetic energy, ½∫|u|².", [](const Measures& m) { return m.kinetic_energy; }, Best::None},
-    {"enstrophy", "½∫ω².", [](const Measures& m) { return m.enstrophy; }, Best::None},
-    {"visc.", "Effective viscosity of the last step's advection, length²/time. Best nearest to 0.",
-     [](const Measures& m) { return m.effective_viscosity; }, Best::NearestZero},
-};
-constexpr Column cost[] = {
-    {"ms a step", "Milliseconds that a step took: the median of the last 60. Best least.",
-     [](const Measures& m) { return m.ms.total; }, Best::Least},
-};
-
+/// Steps that a median is taken over.
 constexpr std::size_t median_of = 60;
 
 /// Few columns fit the width: the measures come in several tables.
 struct Group {
-    const char* title;
-    std::span<const Column> columns;
+    std::string title;
+    std::vector<const Measure*> columns;
 };
 
-constexpr Group groups[] = {{"Smoke", smoke}, {"Error", error}, {"Flow", flow}, {"Cost", cost}};
+/// Groups in the order of the list of measures, but that errors follow the smoke.
+std::vector<Group> groups() {
+    std::vector<Group> all{{"Smoke", {}}, {"Error", {}}};
+    for (const Measure* measure : measures().all()) {
+        const std::string& title = measure->column.group;
+        if (title.empty()) continue;
+        const auto same =
+            std::find_if(all.begin(), all.end(), [&](const Group& group) { return group.title == title; });
+        Group& group = same == all.end() ? all.emplace_back(Group{title, {}}) : *same;
+        group.columns.push_back(measure);
+    }
+    return all;
+}
+
+/// What a column's head says on hover.
+std::string help(const Measure& measure) {
+    std::string text = measure.help;
+    if (measure.mean == Mean::Median) text += ": the median of the last " + std::to_string(median_of);
+    text += ".";
+    if (measure.best == Best::Least) text += " Best least.";
+    if (measure.best == Best::NearestZero) text += " Best nearest to 0.";
+    if (measure.best == Best::NearestHundred) text += " Best nearest to 100 %.";
+    return measure.source.empty() ? text : text + "  [" + measure.source + "]";
+}
 
 /// How far from best a value is; NaN where there is no best.
 double badness(Best best, double value) {
@@ -73,24 +61,30 @@ double badness(Best best, double value) {
     return std::nan("");
 }
 
+/// A lane.
 struct Row {
     std::size_t place;
-    Measures measures;  ///< the step's time is the median of the last ones: a single one is chance
+    const Measures& measured;
+    const LaneHistory& history;
+
+    double value(const Measure& measure) const {
+        return measure.mean == Mean::Median ? history.median(measure, median_of) : measure.value(measured);
+    }
 };
 
 /// The smallest badness of a column among lanes that compete: the one that others are measured against does
 /// not.
-double best_of(const Column& column, const std::vector<Row>& rows, int reference) {
+double best_of(const Measure& measure, const std::vector<Row>& rows, int reference) {
     double best = INFINITY;
     for (const Row& row : rows) {
         if (static_cast<int>(row.place) == reference) continue;
-        best = std::fmin(best, badness(column.best, column.value(row.measures)));
+        best = std::fmin(best, badness(measure.best, row.value(measure)));
     }
     return best;
 }
 
 /// Sorted as the table's heads say; lanes without a value come last.
-void sort(std::vector<Row>& rows, std::span<const Column> columns) {
+void sort(std::vector<const Row*>& rows, const std::vector<const Measure*>& columns) {
     const ImGuiTableSortSpecs* specs = ImGui::TableGetSortSpecs();
     if (specs == nullptr || specs->SpecsCount == 0) return;
     const ImGuiTableColumnSortSpecs& by = specs->Specs[0];
@@ -99,10 +93,10 @@ void sort(std::vector<Row>& rows, std::span<const Column> columns) {
         if (down) std::reverse(rows.begin(), rows.end());
         return;
     }
-    const Column& column = columns[static_cast<std::size_t>(by.ColumnIndex - 1)];
-    std::stable_sort(rows.begin(), rows.end(), [&](const Row& a, const Row& b) {
-        const double x = column.value(a.measures);
-        const double y = column.value(b.measures);
+    const Measure& measure = *columns[static_cast<std::size_t>(by.ColumnIndex - 1)];
+    std::stable_sort(rows.begin(), rows.end(), [&](const Row* a, const Row* b) {
+        const double x = a->value(measure);
+        const double y = b->value(measure);
         if (std::isnan(x) || std::isnan(y)) return !std::isnan(x) && std::isnan(y);
         return down ? x > y : x < y;
     });
@@ -114,22 +108,23 @@ float arrow_width() {
 }
 
 /// Numbers have heads that are right-aligned as they are. ImGui's own would leave room for the arrow always.
-void head(PanelContext& context, const char* table, const char* label, const char* help, bool numbers) {
+void head(PanelContext& context, const std::string& table, const std::string& label, const std::string& help,
+          bool numbers) {
     const bool sorted = (ImGui::TableGetColumnFlags() & ImGuiTableColumnFlags_IsSorted) != 0;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const float free = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(label).x;
-    ImGui::TableHeader(("##" + std::string(label)).c_str());
-    const std::string key = std::string(table) + "=" + label;
+    const float free = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(label.c_str()).x;
+    ImGui::TableHeader(("##" + label).c_str());
+    const std::string key = table + "=" + label;
     context.log.control(key);
     context.tooltip.item(context.theme, key, {label, help, "Click to sort.", "", ""});
     const float left = numbers ? std::max(0.0f, free - (sorted ? arrow_width() : 0)) : 0;
     ImGui::GetWindowDrawList()->AddText({std::floor(corner.x + left), corner.y}, context.theme.palette.text,
-                                        label);
+                                        label.c_str());
 }
 
 /// Of a column of numbers, pixels: its head with the arrow, and four digits with an exponent.
-float number_width(const Theme& theme, const char* label) {
-    return std::max(std::ceil(ImGui::CalcTextSize(label).x) + arrow_width(), theme.px(46));
+float number_width(const Theme& theme, const std::string& label) {
+    return std::max(std::ceil(ImGui::CalcTextSize(label.c_str()).x) + arrow_width(), theme.px(46));
 }
 
 /// The lanes' column takes what the numbers leave.
@@ -137,18 +132,18 @@ void heads(PanelContext& context, const Group& group) {
     const Theme& theme = context.theme;
     ImGui::PushFont(theme.small);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(theme.px(2), ImGui::GetStyle().FramePadding.y));
-    ImGui::TableSetupColumn(group.title,
+    ImGui::TableSetupColumn(group.title.c_str(),
                             ImGuiTableColumnFlags_WidthStretch | ImGuiTableColumnFlags_DefaultSort);
-    for (const Column& column : group.columns)
-        ImGui::TableSetupColumn(column.label,
+    for (const Measure* measure : group.columns)
+        ImGui::TableSetupColumn(measure->head().c_str(),
                                 ImGuiTableColumnFlags_WidthFixed | ImGuiTableColumnFlags_PreferSortDescending,
-                                number_width(theme, column.label));
+                                number_width(theme, measure->head()));
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
     ImGui::TableSetColumnIndex(0);
     head(context, group.title, group.title, "In the order of the lanes.", false);
     for (std::size_t k = 0; k < group.columns.size(); ++k) {
         ImGui::TableSetColumnIndex(static_cast<int>(k + 1));
-        head(context, group.title, group.columns[k].label, group.columns[k].help, true);
+        head(context, group.title, group.columns[k]->head(), help(*group.columns[k]), true);
     }
     ImGui::PopStyleVar();
     ImGui::PopFont();
@@ -190,32 +185,33 @@ void value_cell(PanelContext& context, double value, bool best) {
 void draw_group(PanelContext& context, const Group& group) {
     const SessionSnapshot& moment = context.client.session();
     std::vector<Row> rows;
-    for (std::size_t k = 0; k < moment.lanes.size(); ++k) {
-        rows.push_back({k, moment.lanes[k].measures});
-        rows.back().measures.ms.total = context.history.lane(moment.ids[k]).median(Track::TotalMs, median_of);
-    }
+    for (std::size_t k = 0; k < moment.lanes.size(); ++k)
+        rows.push_back({k, moment.lanes[k].measures, context.history.lane(moment.ids[k])});
+    std::vector<const Row*> sorted;
+    for (const Row& row : rows) sorted.push_back(&row);
 
     constexpr ImGuiTableFlags flags = ImGuiTableFlags_Sortable | ImGuiTableFlags_RowBg |
                                       ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_SizingFixedFit |
                                       ImGuiTableFlags_NoSavedSettings;
     const Theme& theme = context.theme;
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(theme.px(3), ImGui::GetStyle().CellPadding.y));
-    const bool open = ImGui::BeginTable(group.title, static_cast<int>(group.columns.size()) + 1, flags);
+    const bool open =
+        ImGui::BeginTable(group.title.c_str(), static_cast<int>(group.columns.size()) + 1, flags);
     ImGui::PopStyleVar();
     if (!open) return;
     heads(context, group);
-    sort(rows, group.columns);
-    for (const Row& row : rows) {
+    sort(sorted, group.columns);
+    for (const Row* row : sorted) {
         ImGui::TableNextRow();
         ImGui::TableSetColumnIndex(0);
-        lane_cell(context, row.place, context.names.name(row.place));
+        lane_cell(context, row->place, context.names.name(row->place));
         for (std::size_t k = 0; k < group.columns.size(); ++k) {
-            const Column& column = group.columns[k];
+            const Measure& measure = *group.columns[k];
             ImGui::TableSetColumnIndex(static_cast<int>(k + 1));
-            const double value = column.value(row.measures);
-            const bool competes = rows.size() > 1 && static_cast<int>(row.place) != moment.setup.reference;
+            const double value = row->value(measure);
+            const bool competes = rows.size() > 1 && static_cast<int>(row->place) != moment.setup.reference;
             const bool best =
-                competes && badness(column.best, value) == best_of(column, rows, moment.setup.reference);
+                competes && badness(measure.best, value) == best_of(measure, rows, moment.setup.reference);
             value_cell(context, value, best);
         }
     }
@@ -228,8 +224,11 @@ void draw_group(PanelContext& context, const Group& group) {
 void draw_table_tab(PanelContext& context) {
     const Theme& theme = context.theme;
     const SessionSnapshot& moment = context.client.session();
-    for (const Group& group : groups) {
-        if (group.columns.data() == error && !has_errors(moment)) continue;
+    for (const Group& group : groups()) {
+        const bool of_errors =
+            std::all_of(group.columns.begin(), group.columns.end(),
+                        [](const Measure* measure) { return measure->needs == Needs::Reference; });
+        if (of_errors && !has_errors(moment)) continue;
         draw_group(context, group);
     }
     ImGui::PushFont(theme.small);

@@ -6,58 +6,35 @@
 namespace whorl::app {
 namespace {
 
-constexpr std::size_t tracks = static_cast<std::size_t>(Track::Count);
-
-/// In the order of Track.
-std::array<double, tracks> values(const Measures& m) {
-    return {m.time,
-            m.density_percent,
-            m.kinetic_energy,
-            m.enstrophy,
-            m.min_density,
-            m.max_density,
-            m.divergence_before,
-            m.divergence_after,
-            m.ms.forces,
-            m.ms.projection,
-            m.ms.advection,
-            m.ms.total,
-            m.errors.L1,
-            m.errors.L2,
-            m.errors.Linf,
-            m.effective_viscosity,
-            m.energy_changes.forces,
-            m.energy_changes.projection,
-            m.energy_changes.advection,
-            m.enstrophy_changes.forces,
-            m.enstrophy_changes.projection,
-            m.enstrophy_changes.advection,
-            m.limited.density,
-            m.limited.velocity};
+/// Calls `act` for the steps, the times and every curve of a lane.
+template <class Act>
+void for_samples(LaneHistory& lane, Act&& act) {
+    act(lane.steps);
+    act(lane.times);
+    for (std::vector<float>& curve : lane.curves) act(curve);
 }
 
 /// Keeps the samples of the steps that are multiples of `stride`.
 void keep_multiples(LaneHistory& lane, long stride) {
-    std::size_t kept = 0;
+    std::vector<std::size_t> kept;
     for (std::size_t k = 0; k < lane.steps.size(); ++k) {
-        if (static_cast<long>(lane.steps[k]) % stride != 0) continue;
-        lane.steps[kept] = lane.steps[k];
-        for (auto& track : lane.tracks) track[kept] = track[k];
-        ++kept;
+        if (static_cast<long>(lane.steps[k]) % stride == 0) kept.push_back(k);
     }
-    lane.steps.resize(kept);
-    for (auto& track : lane.tracks) track.resize(kept);
+    for_samples(lane, [&](std::vector<float>& samples) {
+        for (std::size_t k = 0; k < kept.size(); ++k) samples[k] = samples[kept[k]];
+        samples.resize(kept.size());
+    });
 }
 
 }  // namespace
 
-void History::take(std::span<const StepMeasures> measures, bool new_run) {
+void History::take(std::span<const StepMeasures> rows, bool new_run) {
     if (new_run) {
         lanes_.clear();
         stride_ = 1;
         reached_ = -1;
     }
-    for (const StepMeasures& row : measures) {
+    for (const StepMeasures& row : rows) {
         if (row.step <= reached_) truncate(row.step);
         reached_ = row.step;
         for (std::size_t k = 0; k < row.ids.size(); ++k) {
@@ -69,8 +46,13 @@ void History::take(std::span<const StepMeasures> measures, bool new_run) {
     }
 }
 
-double LaneHistory::median(Track track, std::size_t count) const {
-    const std::span<const float> all = of(track);
+std::span<const float> LaneHistory::of(const Measure& measure) const {
+    const std::size_t place = measures().index(measure);
+    return place < curves.size() ? std::span<const float>(curves[place]) : std::span<const float>();
+}
+
+double LaneHistory::median(const Measure& measure, std::size_t count) const {
+    const std::span<const float> all = of(measure);
     const std::span<const float> tail = all.last(std::min(count, all.size()));
     std::vector<float> values(tail.begin(), tail.end());
     if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
@@ -89,16 +71,18 @@ void History::truncate(long step) {
     for (auto& [id, lane] : lanes_) {
         const auto from = std::lower_bound(lane.steps.begin(), lane.steps.end(), static_cast<float>(step));
         const auto kept = static_cast<std::size_t>(from - lane.steps.begin());
-        lane.steps.resize(kept);
-        for (auto& track : lane.tracks) track.resize(kept);
+        for_samples(lane, [&](std::vector<float>& samples) { samples.resize(kept); });
     }
     std::erase_if(lanes_, [](const auto& lane) { return lane.second.steps.empty(); });
 }
 
-void History::add(LaneHistory& lane, long step, const Measures& measures) const {
+void History::add(LaneHistory& lane, long step, const Measures& measured) const {
+    const auto all = measures().all();
+    lane.curves.resize(all.size());
     lane.steps.push_back(static_cast<float>(step));
-    const auto now = values(measures);
-    for (std::size_t k = 0; k < tracks; ++k) lane.tracks[k].push_back(static_cast<float>(now[k]));
+    lane.times.push_back(static_cast<float>(measured.time));
+    for (std::size_t k = 0; k < all.size(); ++k)
+        lane.curves[k].push_back(static_cast<float>(all[k]->value(measured)));
 }
 
 void History::thin() {

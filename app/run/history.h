@@ -1,53 +1,25 @@
 // The measures of a run's lanes as curves, thinned so that long runs stay small.
 #pragma once
 
-#include <array>
 #include <map>
 #include <span>
 #include <vector>
 
+#include "core/measure/measure.h"
 #include "core/session/player.h"
 
 namespace whorl::app {
 
-/// What is kept of every measured step.
-enum class Track {
-    Time,
-    DensityPercent,
-    KineticEnergy,
-    Enstrophy,
-    MinDensity,
-    MaxDensity,
-    DivergenceBefore,
-    DivergenceAfter,
-    ForcesMs,
-    ProjectionMs,
-    AdvectionMs,
-    TotalMs,
-    L1,
-    L2,
-    Linf,
-    EffectiveViscosity,
-    EnergyByForces,
-    EnergyByProjection,
-    EnergyByAdvection,
-    EnstrophyByForces,
-    EnstrophyByProjection,
-    EnstrophyByAdvection,
-    LimitedDensity,
-    LimitedVelocity,
-    Count
-};
-
 /// The samples of one lane.
 struct LaneHistory {
-    std::vector<float> steps;  ///< of the session, ascending
-    std::array<std::vector<float>, static_cast<std::size_t>(Track::Count)> tracks;
-    Measures last;  ///< of the last step, thinned or not
+    std::vector<float> steps;                ///< of the session, ascending
+    std::vector<float> times;                ///< at those
+    std::vector<std::vector<float>> curves;  ///< of each measure, in the list's order
+    Measures last;                           ///< of the last step, thinned or not
 
-    std::span<const float> of(Track track) const { return tracks[static_cast<std::size_t>(track)]; }
-    /// The median of a track's last `count` samples; NaN where there are none.
-    double median(Track track, std::size_t count) const;
+    std::span<const float> of(const Measure& measure) const;
+    /// The median of a measure's last `count` samples; NaN where there are none.
+    double median(const Measure& measure, std::size_t count) const;
 };
 
 /// Curves of at most `capacity` samples a lane over steps: when they are full, every other sample goes and
@@ -57,15 +29,15 @@ class History {
   public:
     static constexpr std::size_t capacity = 8192;
 
-    /// @param new_run  whether the measures begin another run, so that the older ones go
-    void take(std::span<const StepMeasures> measures, bool new_run);
+    /// @param new_run  whether the rows begin another run, so that the older ones go
+    void take(std::span<const StepMeasures> rows, bool new_run);
 
     /// What is known of a lane; nothing where it has not been measured.
     const LaneHistory& lane(int id) const;
 
   private:
     void truncate(long step);
-    void add(LaneHistory& lane, long step, const Measures& measures) const;
+    void add(LaneHistory& lane, long step, const Measures& measured) const;
     void thin();
 
     std::map<int, LaneHistory> lanes_;

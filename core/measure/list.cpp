@@ -206,7 +206,7 @@ struct PhaseCurve {
 constexpr PhaseCurve phases[] = {{"forces", 2, 3}, {"projection", 1, 1}, {"advection", 0, 2}};
 
 /// What a phase added to energy or enstrophy in the last step.
-Measure budget(const PhaseCurve& of_phase, const char* quantity, const char* symbol, const char* unit,
+Measure budget(const PhaseCurve& of_phase, const char* quantity, const char* shared, const char* unit,
                double PhaseShare::*share) {
     const std::string phase(of_phase.phase);
     std::string lower = quantity;
@@ -214,23 +214,25 @@ Measure budget(const PhaseCurve& of_phase, const char* quantity, const char* sym
     return {.key = lower + "_by_" + phase,
             .title = std::string(quantity) + " by " + phase,
             .unit = unit,
-            .help = std::string(symbol) + " that " + phase + " gave, or took, in the last step",
+            .help = "What " + phase + " gave of " + shared + ", in the last step; below 0 it took",
             .needs = Needs::SolvedFlow,
             .value = [phase, share](const Measures& m) { return m.phase(phase).*share; },
             .tables = no_table,
             .plot = {.page = Page::BudgetShares,
-                     .chart = std::string(quantity) + " a step",
+                     .chart = quantity,
                      .label = phase,
-                     .colour = of_phase.in_budget},
+                     .colour = of_phase.in_budget,
+                     .shared = shared},
             .column = no_column};
 }
 
 std::vector<Measure> budgets() {
     std::vector<Measure> all;
     for (const PhaseCurve& phase : phases)
-        all.push_back(budget(phase, "Energy", "½∫|u|²", "length⁴/time²", &PhaseShare::energy));
+        all.push_back(
+            budget(phase, "Energy", "kinetic energy, ½∫|u|²", "length⁴/time²", &PhaseShare::energy));
     for (const PhaseCurve& phase : phases)
-        all.push_back(budget(phase, "Enstrophy", "½∫ω²", "length²/time²", &PhaseShare::enstrophy));
+        all.push_back(budget(phase, "Enstrophy", "enstrophy, ½∫ω²", "length²/time²", &PhaseShare::enstrophy));
     return all;
 }
 

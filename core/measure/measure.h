@@ -58,6 +58,7 @@ struct Plotting {
     /// The chart's title where it has one curve of each lane. Empty: the chart's, with the measure of colour
     /// 0.
     std::string lanes_chart{};
+    std::string shared{};  ///< of BudgetShares: what the phases share
 };
 
 /// The column of a measure in the table of lanes.

@@ -71,9 +71,10 @@ TEST(LimitedViews, CountsArePlottedWhileTheyAreWatched) {
     ASSERT_TRUE(window.eventually([&] { return window.client.session().step == 11; }));
     EXPECT_EQ(shown(), 1);
     const int id = window.client.session().ids[1];
-    EXPECT_EQ(window.history.lane(id).of(Track::LimitedDensity).back(),
+    EXPECT_EQ(window.history.lane(id).of(measures().find("limited_density")).back(),
               static_cast<float>(window.client.session().lanes[1].measures.limited.density));
-    EXPECT_TRUE(std::isnan(window.history.lane(id).of(Track::LimitedDensity).front())) << "not watched then";
+    EXPECT_TRUE(std::isnan(window.history.lane(id).of(measures().find("limited_density")).front()))
+        << "not watched then";
 }
 
 TEST(LimitedViews, PicturesHaveThemWithoutBeingAskedBefore) {

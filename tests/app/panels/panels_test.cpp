@@ -123,7 +123,8 @@ TEST(Panels, MeasureAnyNumberOfLanesInAnyWindow) {
             EXPECT_EQ(has(plots, "plot=Largest density"), lanes > 1);
             EXPECT_TRUE(has(tab(MeasureTab::Spectrum), "plot=spectrum"));
             const std::string budget = tab(MeasureTab::Budget);
-            for (const char* key : {"plot=budget", "plot=viscosity", "budget=energy", "budget=enstrophy"})
+            for (const char* key :
+                 {"plot=budget", "plot=Effective viscosity", "budget=Energy", "budget=Enstrophy"})
                 EXPECT_TRUE(has(budget, key)) << key;
             const std::string table = tab(MeasureTab::Table);
             for (const char* key : {"Smoke=total, %", "Flow=enstrophy", "Cost=ms a step"})

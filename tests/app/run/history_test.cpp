@@ -7,6 +7,10 @@
 namespace whorl::app {
 namespace {
 
+const Measure& energy() {
+    return measures().find("kinetic_energy");
+}
+
 /// A row whose lanes have the energy 1000 · id + step.
 StepMeasures at_step(long step, std::vector<int> ids = {7}) {
     StepMeasures row{step, ids, {}};
@@ -28,7 +32,7 @@ void take(History& history, long first, long last, const std::vector<int>& ids) 
 
 void expect_samples_of(const LaneHistory& lane, int id) {
     for (std::size_t k = 0; k < lane.steps.size(); ++k) {
-        ASSERT_EQ(lane.of(Track::KineticEnergy)[k], static_cast<float>(1000 * id) + lane.steps[k]);
+        ASSERT_EQ(lane.of(energy())[k], static_cast<float>(1000 * id) + lane.steps[k]);
         if (k > 0) {
             ASSERT_GT(lane.steps[k], lane.steps[k - 1]);
         }
@@ -37,11 +41,11 @@ void expect_samples_of(const LaneHistory& lane, int id) {
 
 TEST(History, KnowsTheMedianOfTheLastSteps) {
     History history;
-    EXPECT_TRUE(std::isnan(history.lane(7).median(Track::KineticEnergy, 60)));
+    EXPECT_TRUE(std::isnan(history.lane(7).median(energy(), 60)));
     take(history, 0, 2, {7});
-    EXPECT_EQ(history.lane(7).median(Track::KineticEnergy, 60), 7001);
+    EXPECT_EQ(history.lane(7).median(energy(), 60), 7001);
     take(history, 3, 100, {7});
-    EXPECT_EQ(history.lane(7).median(Track::KineticEnergy, 5), 7098);
+    EXPECT_EQ(history.lane(7).median(energy(), 5), 7098);
 }
 
 TEST(History, StaysSmallAndCoversALongRun) {
