@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Writes a ctest for each suite of a test program: `room.Suite`, with the folder of its file under tests as its label.
 
-usage: suites.py PROGRAM OUT.cmake [LONG...]     LONG: suites that are also labelled `long`
+usage: suites.py PROGRAM OUT.cmake [SUITE=LABEL...]     SUITE=LABEL: a further label
 """
 import json
 import subprocess
@@ -24,14 +24,15 @@ def suites(program):
     return found
 
 
-program, out, *long = sys.argv[1:]
+program, out, *further = sys.argv[1:]
+labels_of = dict(word.split("=") for word in further)
 lines = []
 for name, rooms in sorted(suites(program).items()):
     if len(rooms) > 1:
         sys.exit(f"suites.py: the suite {name} lies in two rooms: {', '.join(sorted(rooms))}")
     room = rooms.pop()
     cases = f"{name}.*:{name}/*:*/{name}.*:*/{name}/*"
-    labels = [room, "long"] if name in long else [room]
+    labels = [room, *filter(None, [labels_of.get(name)])]
     lines.append(f'add_test([=[{room}.{name}]=] "{program}" "--gtest_filter={cases}" --gtest_brief=1)')
     lines.append(f'set_tests_properties([=[{room}.{name}]=] PROPERTIES LABELS "{";".join(labels)}" TIMEOUT 900)')
 Path(out).write_text("\n".join(lines) + "\n")

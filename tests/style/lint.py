@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """clang-tidy by the rules in .clang-tidy over core and app; what was found clean is remembered by content.
 
-usage: lint.py [--build DIR] [FILE...]     FILE: what to lint of core and app; all without one
+usage: lint.py [--build DIR] [FILE...]     FILE: what to lint of core and app, a header with a file that includes it; all without
 
 Files are read several at a time: most of clang-tidy's time goes into the headers, which one process then reads once.
 A group in which something is found, or whose files do not go together, is halved until it is clean or one file.
@@ -62,6 +62,13 @@ class Sources:
     def all(self):
         rooms = (ROOT / "core", ROOT / "app")
         return sorted(file for file in self.flags if file.exists() and any(map(file.is_relative_to, rooms)))
+
+    def unit(self, file):
+        """The file itself, or the one that a header is read with: its namesake if there is one."""
+        if file in self.flags:
+            return file
+        including = [unit for unit in self.all() if file in self.included.get(unit, [])]
+        return min(including, key=lambda unit: (unit.with_suffix("") != file.with_suffix(""), unit), default=None)
 
     def content(self, file):
         """A file's hash; headers of the system are known by size and time."""
@@ -135,7 +142,7 @@ def main():
     rules = (ROOT / ".clang-tidy").read_text() + subprocess.run(["clang-tidy", "--version"], capture_output=True, text=True).stdout
     wanted = sources.all()
     if arguments.files:
-        wanted = [file for file in wanted if file in arguments.files]
+        wanted = sorted(set(wanted) & {sources.unit(file) for file in arguments.files})
     keys = {file: sources.key(file, rules) for file in wanted}
     unknown = [file for file in wanted if not (CLEAN / keys[file]).exists()]
     dirty = 0
