@@ -36,7 +36,7 @@ void figures_line(PanelContext& context) {
     for (const Measure* measure : measures().all()) {
         const Headline& headline = measure->headline;
         if (headline.symbol.empty()) continue;
-        const double value = measure->value(context.snapshot().measures);
+        const double value = measure->of(context.snapshot().measures);
         const std::string shown = std::isnan(value) ? "–" : figure(value, headline.digits) + headline.unit;
         const std::string line = headline.symbol + " " + shown;
         if (begun) ImGui::SameLine(0, theme.px(18));
@@ -109,6 +109,22 @@ void tab_chips(PanelContext& context) {
 }
 
 }  // namespace
+
+Watch watched(const ViewSettings& view, const MeasureView& chosen) {
+    Watch watch = view.watch();
+    if (view.lessons && !view.shows_measures) return watch;
+    for (const Measure* measure : measures().all()) {
+        const Page page = measure->plot.page;
+        const bool of_budget = page == Page::Budget || page == Page::BudgetShares;
+        const bool in_sight = (chosen.tab == MeasureTab::Plots && page == Page::Plots) ||
+                              (chosen.tab == MeasureTab::Budget && of_budget) ||
+                              (chosen.tab == MeasureTab::Table && !measure->column.group.empty()) ||
+                              !measure->headline.symbol.empty();
+        // Limiters are watched where the view asks for them.
+        if (in_sight && measure->row) watch.measures.push_back(measure);
+    }
+    return watch;
+}
 
 void draw_measure_column(PanelContext& context) {
     const Theme& theme = context.theme;

@@ -5,6 +5,9 @@
 
 namespace whorl::app {
 
+/// What to watch of the run: what the view shows, and those of the measures in sight that are on demand.
+Watch watched(const ViewSettings& view, const MeasureView& measures);
+
 /// Fills the current ImGui window.
 void draw_measure_column(PanelContext& context);
 

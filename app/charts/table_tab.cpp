@@ -68,7 +68,7 @@ struct Row {
     const LaneHistory& history;
 
     double value(const Measure& measure) const {
-        return measure.mean == Mean::Median ? history.median(measure, median_of) : measure.value(measured);
+        return measure.mean == Mean::Median ? history.median(measure, median_of) : measure.of(measured);
     }
 };
 

@@ -27,11 +27,6 @@ void Columns::errors_first() {
                           [](const Measure* measure) { return measure->needs == Needs::Reference; });
 }
 
-bool Columns::need(Needs needs) const {
-    return std::any_of(measures_.begin(), measures_.end(),
-                       [&](const Measure* measure) { return measure->needs == needs; });
-}
-
 std::string Columns::header() const {
     std::string line = "step,time";
     for (const Measure* measure : measures_) line += "," + measure->key;
@@ -40,7 +35,7 @@ std::string Columns::header() const {
 
 const std::vector<double>& Columns::row(long step, const Measures& measured) {
     row_ = {static_cast<double>(step), measured.time};
-    for (const Measure* measure : measures_) row_.push_back(measure->value(measured));
+    for (const Measure* measure : measures_) row_.push_back(measure->of(measured));
     return row_;
 }
 

@@ -18,7 +18,6 @@ class Columns {
 
     /// Errors before all others, as `whorl experiment` has them.
     void errors_first();
-    bool need(Needs needs) const;
     const std::vector<const Measure*>& all() const { return measures_; }
 
     /// `step,time,…`

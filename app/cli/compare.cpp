@@ -27,7 +27,7 @@ class CompareRows {
             std::vector<Sum>& sums = sums_of(session.id(k));
             for (std::size_t c = 0; c < sums.size(); ++c) {
                 const Measure& measure = *columns_.all()[c];
-                if (measure.mean == Mean::OverSteps) sums[c].add(measure.value(session.measures(k)));
+                if (measure.mean == Mean::OverSteps) sums[c].add(measure.of(session.measures(k)));
             }
         }
     }
@@ -94,7 +94,7 @@ int run_compare(const CompareArguments& arguments) {
     if (!arguments.out.empty()) drawing.emplace(arguments.draw);
     Session session(recording, pool);
     std::vector<SessionSnapshot> rows;
-    session.watch_limiters(csv && columns.need(Needs::LimiterMasks));
+    if (csv) session.ask(columns.all());
     {
         Progress progress(arguments.scene, at.back());
         for (const int step : at) {

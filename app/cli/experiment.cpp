@@ -30,7 +30,7 @@ int run_experiment(const ExperimentArguments& arguments) {
 
     Pool pool(arguments.threads);
     Session session({.setup = {.scene = scene}}, pool);
-    session.watch_limiters(columns.need(Needs::LimiterMasks));
+    session.ask(columns.all());
     std::optional<Series> csv;
     // Rows are what an experiment is run for: they go to standard output unless something else was asked for.
     const std::string file = arguments.csv.empty() && arguments.picture.empty() ? "-" : arguments.csv;

@@ -136,7 +136,7 @@ int run_scene(const RunArguments& arguments) {
     RowNames names(recording);
     std::optional<Rows> csv;
     if (!arguments.csv.empty()) {
-        session.watch_limiters(columns.need(Needs::LimiterMasks));
+        session.ask(columns.all());
         csv.emplace(arguments.csv, names, std::move(columns));
     }
     Timings timings(names);

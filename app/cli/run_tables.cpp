@@ -60,7 +60,7 @@ void Timings::add(const Session& session) {
         if (lane.values.empty()) lane.name = names_.of(session, k);
         lane.values.resize(columns_.all().size());
         for (std::size_t c = 0; c < lane.values.size(); ++c)
-            lane.values[c].push_back(columns_.all()[c]->value(session.measures(k)));
+            lane.values[c].push_back(columns_.all()[c]->of(session.measures(k)));
     }
 }
 

@@ -11,13 +11,16 @@ namespace whorl::app {
 void LessonRun::enter(const LessonStep& step) {
     Recording recording = step.recording;
     recording.step = 0;
-    const bool limiters = std::any_of(step.claims.begin(), step.claims.end(), [](const Claim& claim) {
-        return claim.measure->needs == Needs::LimiterMasks;
-    });
-    if (!session_ || !(recording == begun_) || (limiters && !session_->watches_limiters())) {
+    std::vector<const Measure*> claimed;
+    for (const Claim& claim : step.claims) claimed.push_back(claim.measure);
+    const bool known = session_ && recording == begun_ &&
+                       std::all_of(claimed.begin(), claimed.end(), [&](const Measure* measure) {
+                           return !measure->on_demand() || session_->is_asked(*measure);
+                       });
+    if (!known) {
         session_.reset();
         session_.emplace(recording, pool_);
-        session_->watch_limiters(limiters);
+        session_->ask(claimed);
         begun_ = std::move(recording);
         measures_.clear();
     }
@@ -47,7 +50,7 @@ double LessonRun::measure(const Measure& measure, const Claim::Place& place) con
     const auto at = [&](std::size_t step) {
         const std::vector<Measures>& lanes = measures_[step];
         // A recorded command may have taken the lane away.
-        return place.lane < lanes.size() ? measure.value(lanes[place.lane])
+        return place.lane < lanes.size() ? measure.of(lanes[place.lane])
                                          : std::numeric_limits<double>::quiet_NaN();
     };
     const auto last = static_cast<std::size_t>(place.step);

@@ -82,7 +82,7 @@ void History::add(LaneHistory& lane, long step, const Measures& measured) const 
     lane.steps.push_back(static_cast<float>(step));
     lane.times.push_back(static_cast<float>(measured.time));
     for (std::size_t k = 0; k < all.size(); ++k)
-        lane.curves[k].push_back(static_cast<float>(all[k]->value(measured)));
+        lane.curves[k].push_back(static_cast<float>(all[k]->of(measured)));
 }
 
 void History::thin() {

@@ -130,7 +130,7 @@ void MainWindow::read_lesson() {
 
 /// Takes the newest state, its measures, and what is shown of it with its range.
 void MainWindow::take_run() {
-    client_.watch(view_.watch());
+    client_.watch(watched(view_, measure_view_));
     client_.begin_frame();
     const SessionSnapshot& session = client_.session();
     const bool new_run = player_->take_measures(measures_);

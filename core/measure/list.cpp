@@ -1,5 +1,5 @@
 // The list of measures.
-#include <deque>
+#include <limits>
 
 #include "core/measure/measure.h"
 
@@ -9,11 +9,11 @@ namespace {
 /// A member of the step's record, or of a member of it.
 template <class T>
 auto of(T Measures::*member) {
-    return [member](const Measures& m) { return static_cast<double>(m.*member); };
+    return [member](const Measures& m, const Sums&) { return static_cast<double>(m.*member); };
 }
 template <class Part, class T>
 auto of(Part Measures::*part, T Part::*member) {
-    return [part, member](const Measures& m) { return static_cast<double>(m.*part.*member); };
+    return [part, member](const Measures& m, const Sums&) { return static_cast<double>(m.*part.*member); };
 }
 
 constexpr Tables only_run{.run = true, .compare = false, .experiment = false};
@@ -216,7 +216,7 @@ Measure budget(const PhaseCurve& of_phase, const char* quantity, const char* sha
             .unit = unit,
             .help = "What " + phase + " gave of " + shared + ", in the last step; below 0 it took",
             .needs = Needs::SolvedFlow,
-            .value = [phase, share](const Measures& m) { return m.phase(phase).*share; },
+            .value = [phase, share](const Measures& m, const Sums&) { return m.phase(phase).*share; },
             .tables = no_table,
             .plot = {.page = Page::BudgetShares,
                      .chart = quantity,
@@ -238,7 +238,7 @@ std::vector<Measure> budgets() {
 
 /// @param row  in `whorl run --timing`
 Measure time(std::string key, const std::string& row, int colour, std::string help,
-             std::function<double(const Measures&)> value) {
+             std::function<double(const Measures&, const Sums&)> value) {
     return {.key = std::move(key),
             .title = "Time of " + row,
             .unit = "ms",
@@ -257,7 +257,7 @@ std::vector<Measure> times() {
     for (const PhaseCurve& of_phase : phases) {
         const std::string phase(of_phase.phase);
         all.push_back(time(phase + "_ms", phase, of_phase.in_times, "Milliseconds that " + phase + " took",
-                           [phase](const Measures& m) { return m.phase(phase).ms; }));
+                           [phase](const Measures& m, const Sums&) { return m.phase(phase).ms; }));
     }
     all.push_back(
         time("step_ms", "total", 0, "Milliseconds that a step took", of(&Measures::ms, &PhaseTimes::total)));
@@ -309,6 +309,14 @@ Registry<Measure> made() {
 }
 
 }  // namespace
+
+double Measure::of(const Measures& step) const {
+    if (!row) return value(step, {});
+    for (const Reduced& reduced : step.reduced) {
+        if (reduced.measure == this) return value(step, reduced.sums);
+    }
+    return std::numeric_limits<double>::quiet_NaN();
+}
 
 Registry<Measure>& measures() {
     static Registry<Measure> registry = made();

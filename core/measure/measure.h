@@ -87,8 +87,11 @@ struct Measure {
     std::string help;  ///< a sentence without its full stop
     std::string source{};
     Needs needs = Needs::Nothing;
-    /// NaN where there is none.
-    std::function<double(const Measures&)> value;
+    /// Adds a row of cells to its sums; worked out only while something asks for the measure. Null: what a
+    /// step knows anyway is enough.
+    std::function<void(const RowView&, Sums&)> row{};
+    /// From a step and those sums. NaN where there is none.
+    std::function<double(const Measures&, const Sums&)> value;
     Best best = Best::None;
     Mean mean = Mean::None;
     bool timing = false;  ///< a time of the machine's: in no picture and no lesson
@@ -96,6 +99,11 @@ struct Measure {
     Plotting plot{};
     Column column{};
     Headline headline{};
+
+    /// The value in a step; NaN too where its sums were not asked for.
+    double of(const Measures& step) const;
+    /// Whether steps work it out only while it is asked for.
+    bool on_demand() const { return row || needs == Needs::LimiterMasks; }
 
     const std::string& chart() const { return plot.chart.empty() ? title : plot.chart; }
     const std::string& label() const { return plot.label.empty() ? title : plot.label; }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/measure/flow_sums.h"
+#include "core/measure/reduction.h"
 #include "core/parallel/pool.h"
 #include "core/pressure/solver.h"
 #include "core/scene/state.h"
@@ -59,8 +60,9 @@ struct Measures {
     LimiterCounts limited;  ///< by the last step
     PhaseTimes ms;
     std::string_view pressure_why_not;  ///< why another pressure solver than the chosen one acted, or empty
-    SolveReport pressure;     ///< of the last projection; its solver's key is empty if there was none
-    double removed_mean = 0;  ///< divergence taken out of a closed component, 1/time
+    SolveReport pressure;          ///< of the last projection; its solver's key is empty if there was none
+    double removed_mean = 0;       ///< divergence taken out of a closed component, 1/time
+    std::vector<Reduced> reduced;  ///< what was asked for beside all that
 
     /// What a phase did in the last step, by its key: all NaN where the step had none of that key.
     PhaseShare phase(std::string_view key) const;

@@ -179,14 +179,15 @@ void Player::work(const std::stop_token& stop) {
 void Player::begin(Lock& lock) {
     Recording recording = std::move(*next_);
     next_.reset();
-    const bool limiters = watch_.limiters;
+    const Watch watched = watch_;
     const bool sets_aside = std::exchange(sets_aside_, false);
     lock.unlock();
     std::string complaint;
     std::unique_ptr<SetAside> before;
     try {
         Session session(std::move(recording), pool_);
-        session.watch_limiters(limiters);
+        session.watch_limiters(watched.limiters);
+        session.ask(watched.measures);
         if (sets_aside)
             before = std::make_unique<SetAside>(SetAside{session_->whole_recording(), session_->complete()});
         session_.emplace(std::move(session));
@@ -323,6 +324,7 @@ void Player::look_again(Lock& lock) {
     const bool on_its_way = wants_step();
     lock.unlock();
     session_->watch_limiters(watch.limiters);
+    session_->ask(watch.measures);
     lock.lock();
     if (watch.any() && retakes() && !on_its_way && !rewind_to_) {
         rewind_to_ = session_->step_number();

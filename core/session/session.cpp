@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "core/base/error.h"
 #include "core/scene/digest.h"
@@ -32,6 +33,7 @@ void Session::begin() {
     step_ = 0;
     time_ = 0;
     acted_ = 0;
+    observe();
     const std::string refusal = act_recorded();
     measure();
     fail_with(refusal);
@@ -41,7 +43,7 @@ void Session::step() {
     ++step_;
     time_ += setup_.scene.dt;
     for (Place& place : lanes_) place.lane->step_to(time_);
-    mark();
+    observe();
     last_step_ = std::max(last_step_, step_);
     if (kept_.wants(step_)) kept_.keep(step_, moment());
     const std::string refusal = act_recorded();
@@ -120,8 +122,11 @@ void Session::arrange(const Arrange& a) {
         } else {
             // The lane that it goes on from has moved to where `from` was named first.
             const auto first = std::find(a.from.begin(), a.from.end(), from) - a.from.begin();
-            const Lane::Moment moment = arranged[static_cast<std::size_t>(first)].lane->moment();
+            const Place& other = arranged[static_cast<std::size_t>(first)];
+            const Lane::Moment moment = other.lane->moment();
+            std::vector<Reduced> reduced = other.reduced;
             arranged.push_back({std::make_unique<Lane>(moment.checkpoint.scene, *pool_), next_id_++, {}});
+            arranged.back().reduced = std::move(reduced);
             arranged.back().lane->restore(moment);
         }
     }
@@ -154,6 +159,7 @@ void Session::rewind(long step) {
         places.back().limits.reset();
     }
     lanes_ = std::move(places);
+    observe();
     const std::string refusal = act_recorded();
     measure();
     fail_with(refusal);
@@ -172,21 +178,51 @@ Moment Session::moment() const {
 void Session::watch_limiters(bool watch) {
     if (watches_limiters_ == watch) return;
     watches_limiters_ = watch;
-    mark();
+    observe();
     measure();
 }
 
-/// After a lane's step, before anything else changes its fields.
-void Session::mark() {
+void Session::ask(std::span<const Measure* const> asked) {
+    std::vector<const Measure*> on_demand;
+    std::copy_if(asked.begin(), asked.end(), std::back_inserter(on_demand),
+                 [](const Measure* measure) { return measure->on_demand(); });
+    if (asked_ == on_demand) return;
+    asked_ = std::move(on_demand);
+    observe();
+    measure();
+}
+
+bool Session::is_asked(const Measure& measure) const {
+    return std::find(asked_.begin(), asked_.end(), &measure) != asked_.end();
+}
+
+bool Session::marks_limiters() const {
+    return watches_limiters_ || std::any_of(asked_.begin(), asked_.end(), [](const Measure* measure) {
+               return measure->needs == Needs::LimiterMasks;
+           });
+}
+
+/// After a step, before anything else changes its fields: what is asked for of it.
+void Session::observe() {
     for (Place& place : lanes_) {
-        const auto last = watches_limiters_ ? place.lane->simulation().last_advection() : std::nullopt;
-        if (!last || place.lane->failure()) {
-            place.limits.reset();
-            continue;
+        mark(place);
+        place.reduced.clear();
+        if (place.lane->failure()) continue;
+        for (const Measure* measure : asked_) {
+            if (measure->row) place.reduced.push_back({measure, {}});
         }
-        if (!place.limits) place.limits.emplace();
-        mark_limits(*last, *pool_, *place.limits);
+        reducer_.reduce(place.lane->simulation().state(), *pool_, place.reduced);
     }
+}
+
+void Session::mark(Place& place) {
+    const auto last = marks_limiters() ? place.lane->simulation().last_advection() : std::nullopt;
+    if (!last || place.lane->failure()) {
+        place.limits.reset();
+        return;
+    }
+    if (!place.limits) place.limits.emplace();
+    mark_limits(*last, *pool_, *place.limits);
 }
 
 const LimiterMarks* Session::limits(std::size_t k) const {
@@ -200,6 +236,7 @@ void Session::measure() {
     for (std::size_t k = 0; k < lanes_.size(); ++k) {
         lanes_[k].measures = lanes_[k].lane->simulation().measures();
         if (limits(k) != nullptr) lanes_[k].measures.limited = lanes_[k].limits->counts;
+        lanes_[k].measures.reduced = lanes_[k].reduced;
     }
     if (setup_.reference == no_reference) return;
     const Lane& reference = *lanes_[static_cast<std::size_t>(setup_.reference)].lane;

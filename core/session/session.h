@@ -7,6 +7,7 @@
 
 #include "core/inspect/limiter_marks.h"
 #include "core/measure/average.h"
+#include "core/measure/measure.h"
 #include "core/session/kept_moments.h"
 #include "core/session/recording.h"
 
@@ -39,6 +40,10 @@ class Session {
     /// Whether steps note where limiters act. Goes for the last step at once.
     void watch_limiters(bool watch);
     bool watches_limiters() const { return watches_limiters_; }
+    /// Has steps work out what is asked for of the measures that are on demand; others need no asking. Goes
+    /// for the present state at once.
+    void ask(std::span<const Measure* const> asked);
+    bool is_asked(const Measure& measure) const;
 
     long step_number() const { return step_; }
     double time() const { return time_; }
@@ -72,6 +77,7 @@ class Session {
         int id = 0;
         Measures measures;
         std::optional<LimiterMarks> limits{};
+        std::vector<Reduced> reduced{};  ///< of the last step
     };
 
     void begin();
@@ -80,7 +86,9 @@ class Session {
     void set(const Setup& setup);
     void arrange(const Arrange& arrange);
     void measure();
-    void mark();
+    void observe();
+    void mark(Place& place);
+    bool marks_limiters() const;
     void measure_against(const Simulation& reference);
     Moment moment() const;
 
@@ -92,9 +100,11 @@ class Session {
     long step_ = 0, last_step_ = 0;
     double time_ = 0;
     bool watches_limiters_ = false;
+    std::vector<const Measure*> asked_;  ///< of those on demand
     int next_id_ = 0;
     std::vector<Place> lanes_;
     KeptMoments kept_;
+    Reducer reducer_;
     Averager averager_;
     Field averaged_;  ///< the reference's density on a lane's grid
 };

@@ -2,11 +2,14 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "core/scene/state.h"
 #include "core/simulation/last_advection.h"
 
 namespace whorl {
+
+struct Measure;
 
 /// Costs time in each step or snapshot, so that it is asked for only while someone looks.
 struct Watch {
@@ -18,8 +21,9 @@ struct Watch {
             return quantity == o.quantity && at.x == o.at.x && at.y == o.at.y;
         }
     };
-    std::optional<Node> node;  ///< to explain, in snapshots
-    bool limiters = false;     ///< where they act, at every step
+    std::optional<Node> node;                ///< to explain, in snapshots
+    bool limiters = false;                   ///< where they act, at every step
+    std::vector<const Measure*> measures{};  ///< at every step; see Session::ask
 
     bool any() const { return node || limiters; }
     bool operator==(const Watch&) const = default;

@@ -22,7 +22,7 @@ struct LanesWindow {
 
     /// A frame, as the main_window makes it.
     void frame() {
-        client.watch(view.watch());
+        client.watch(watched(view, measure_view));
         client.begin_frame();
         const SessionSnapshot& session = client.session();
         std::vector<StepMeasures> measures;

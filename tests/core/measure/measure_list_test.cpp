@@ -70,7 +70,7 @@ TEST(MeasureList, ReadsTheRecordOfAStep) {
     m.energy_changes.advection = -2;
     m.ms.projection = 5;
     m.limited.velocity = 7;
-    const auto value = [&](const char* key) { return measures().find(key).value(m); };
+    const auto value = [&](const char* key) { return measures().find(key).of(m); };
     EXPECT_EQ(value("L2"), 3);
     EXPECT_EQ(value("energy_by_advection"), -2);
     EXPECT_EQ(value("projection_ms"), 5);
