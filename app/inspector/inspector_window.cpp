@@ -12,6 +12,7 @@
 #include "app/labs/lab_widgets.h"
 #include "app/ui/widgets.h"
 #include "app/ui/wrapped_text.h"
+#include "core/inspect/explain.h"
 #include "core/inspect/text.h"
 
 namespace whorl::app {
@@ -47,6 +48,11 @@ std::string why_not(const PanelContext& context, const Inspector& inspector) {
     if (inspector.node.quantity != field::density && !is_solved(lane))
         return std::string(inspector.node.quantity.info().title) +
                " is not moved here: the flow is given. Choose ρ.";
+    const AdvectionSetup setup{lane.scene.velocity, lane.scene.scalars};
+    if (std::string reason = unexplained(setup.schemes(inspector.node.quantity)); !reason.empty()) {
+        reason.front() = 'T';  // "there is no …"
+        return reason + ".";
+    }
     if (lane.measures.step == 0) return "Nothing has moved yet. Press . for one step.";
     return "The scene was changed after the last step. Press . for one more.";
 }
@@ -112,8 +118,10 @@ void step_chips(PanelContext& context, const Explanation& e, Inspector& inspecto
     const float width = chip_width(static_cast<int>(e.steps.size()));
     for (std::size_t k = 0; k < e.steps.size(); ++k) {
         const std::string key = "inspector-step=" + std::to_string(k + 1);
-        if (lab_chip(context, key, {names[k], help[k], "", "", ""}, inspector.shown(e) == k, width, k == 0))
-            inspector.step = k;
+        const bool known = k < std::size(names);
+        const TooltipText words{known ? names[k] : std::string_view(e.steps[k].title), known ? help[k] : "",
+                                "", "", ""};
+        if (lab_chip(context, key, words, inspector.shown(e) == k, width, k == 0)) inspector.step = k;
     }
 }
 

@@ -4,7 +4,7 @@
 #include <glm/vec2.hpp>
 #include <span>
 
-#include "core/schemes/registry.h"
+#include "core/advection/scheme_set.h"
 
 namespace whorl::app {
 

@@ -18,12 +18,15 @@
 namespace whorl::app {
 namespace {
 
-constexpr std::size_t schemes_count = Interpolations::infos.size();
 constexpr int per_interval = 48;
+
+std::size_t schemes_count() {
+    return Interpolation::list().all().size();
+}
 
 struct Curves {
     std::vector<float> x;
-    std::array<std::vector<float>, schemes_count> y;
+    std::vector<std::vector<float>> y;  ///< by interpolation
 };
 
 /// Every interpolation of a row between two of its points.
@@ -35,11 +38,11 @@ Curves curves_of(const Field& row, bool clamped, int first, int last) {
         places.emplace_back(m < last * per_interval ? x : from_the_left(x), 0);
         curves.x.push_back(static_cast<float>(x));
     }
-    for (std::size_t k = 0; k < schemes_count; ++k) {
+    for (std::size_t k = 0; k < schemes_count(); ++k) {
         SchemeSet schemes;
-        schemes.interpolation = Interpolations::Id::at(k);
+        schemes.interpolation = Id<Interpolation>::at(k);
         schemes.clamped = clamped;
-        curves.y[k].resize(places.size());
+        curves.y.emplace_back(places.size());
         sample_field(row, schemes, false, places, curves.y[k]);
     }
     return curves;
@@ -75,7 +78,7 @@ void controls(PanelContext& context, InterpolationLab& lab) {
 /// The curves from back to front: the one that is pointed at lies over the others.
 std::vector<std::size_t> drawing_order(const InterpolationLab& lab) {
     std::vector<std::size_t> order;
-    for (std::size_t k = schemes_count; k-- > 0;) {
+    for (std::size_t k = schemes_count(); k-- > 0;) {
         if (lab.shown[k] && lab.pointed != k) order.push_back(k);
     }
     if (lab.pointed && lab.shown[*lab.pointed]) order.push_back(*lab.pointed);
@@ -155,7 +158,7 @@ void act(const Theme& theme, InterpolationLab& lab, const Canvas& canvas) {
 
 Extent extent_of(const InterpolationLab& lab, const Curves& curves) {
     Extent extent;
-    for (std::size_t k = 0; k < schemes_count; ++k) {
+    for (std::size_t k = 0; k < schemes_count(); ++k) {
         if (lab.shown[k]) extent.add(curves.y[k]);
     }
     return extent;
@@ -227,7 +230,7 @@ void inset(PanelContext& context, const InterpolationLab& lab, const Field& row,
     draw_points(theme, lab, canvas);
 }
 
-using Reports = std::array<IntervalReport, schemes_count>;
+using Reports = std::vector<IntervalReport>;  // by interpolation
 
 std::string signed_number(double value) {
     char line[32];
@@ -269,7 +272,7 @@ void region_plot(PanelContext& context, const InterpolationLab& lab, const Repor
     // As far as the points lie, up to a limit at which those beyond it stay.
     constexpr double furthest = 9;
     Interval x{-0.6, 4.6}, y{-0.6, 4.6};
-    for (std::size_t k = 0; k < schemes_count; ++k) {
+    for (std::size_t k = 0; k < schemes_count(); ++k) {
         if (!lab.shown[k] || reports[k].flat) continue;
         const auto reach = [&](Interval& axis, double value) {
             axis.lo = std::min(axis.lo, std::max(value, -furthest) - 0.6);
@@ -307,7 +310,7 @@ void region_plot(PanelContext& context, const InterpolationLab& lab, const Repor
         "A cubic is monotone between its ends where its slopes, over the secant's, lie in the blue region.";
     std::string title = "Monotonicity region";
     if (under) {
-        title = Interpolations::infos[*under].label;
+        title = Id<Interpolation>::at(*under).info().label;
         what = "α = " + signed_number(reports[*under].alpha) +
                ", β = " + signed_number(reports[*under].beta) +
                (is_monotone(reports[*under].alpha, reports[*under].beta) ? ": in the monotone region."
@@ -344,7 +347,7 @@ void table_head(const Theme& theme, const TableColumns& columns) {
 void table_row(PanelContext& context, InterpolationLab& lab, std::size_t k, const IntervalReport& report,
                const TableColumns& columns) {
     const Theme& theme = context.theme;
-    const SchemeInfo& info = Interpolations::infos[k];
+    const SchemeInfo& info = Id<Interpolation>::at(k).info();
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float height = theme.body->FontSize + theme.px(6);
     const std::string key = "interpolation-scheme=" + std::string(info.key);
@@ -386,13 +389,13 @@ void table(PanelContext& context, InterpolationLab& lab, const Reports& reports)
     table_head(context.theme, columns);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
     lab.pointed.reset();
-    for (std::size_t k = 0; k < schemes_count; ++k) table_row(context, lab, k, reports[k], columns);
+    for (std::size_t k = 0; k < schemes_count(); ++k) table_row(context, lab, k, reports[k], columns);
     ImGui::PopStyleVar();
 }
 
 float table_height(const Theme& theme) {
     return theme.small->FontSize + theme.px(12) +
-           static_cast<float>(schemes_count) * (theme.body->FontSize + theme.px(6));
+           static_cast<float>(schemes_count()) * (theme.body->FontSize + theme.px(6));
 }
 
 }  // namespace
@@ -404,8 +407,8 @@ void draw_interpolation_lab(PanelContext& context) {
     controls(context, lab);
     const Field row = row_of(lab.values);
     Reports reports;
-    for (std::size_t k = 0; k < schemes_count; ++k)
-        reports[k] = report_on(row, Interpolations::Id::at(k), lab.clamped, lab.interval);
+    for (std::size_t k = 0; k < schemes_count(); ++k)
+        reports.push_back(report_on(row, Id<Interpolation>::at(k), lab.clamped, lab.interval));
 
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const float gap = ImGui::GetStyle().ItemSpacing.y;

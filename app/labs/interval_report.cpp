@@ -18,7 +18,7 @@ constexpr double roundings = 16;
 
 using Curve = std::array<float, samples>;
 
-Curve sampled(const Field& row, Interpolations::Id interpolation, bool clamped, int i) {
+Curve sampled(const Field& row, Id<Interpolation> interpolation, bool clamped, int i) {
     SchemeSet schemes;
     schemes.interpolation = interpolation;
     schemes.clamped = clamped;
@@ -57,7 +57,7 @@ Field row_of(std::span<const float> values) {
     return row;
 }
 
-IntervalReport report_on(const Field& row, Interpolations::Id interpolation, bool clamped, int i) {
+IntervalReport report_on(const Field& row, Id<Interpolation> interpolation, bool clamped, int i) {
     IntervalReport report;
     double size = 0;
     for (int k = i - 1; k <= i + 2; ++k) size = std::max(size, std::abs(static_cast<double>(row(k, 0))));

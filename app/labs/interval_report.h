@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/grid/boundary.h"
-#include "core/schemes/registry.h"
+#include "core/interpolation/interpolation.h"
 
 namespace whorl::app {
 
@@ -27,6 +27,6 @@ Field row_of(std::span<const float> values);
 /// Asks the solver's interpolation; what rounding alone explains counts for nothing.
 /// @param row  as row_of makes it
 /// @param i    0 … row.width() − 2
-IntervalReport report_on(const Field& row, Interpolations::Id interpolation, bool clamped, int i);
+IntervalReport report_on(const Field& row, Id<Interpolation> interpolation, bool clamped, int i);
 
 }  // namespace whorl::app

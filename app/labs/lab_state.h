@@ -1,24 +1,22 @@
 // What a person has chosen in the labs.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <vector>
 
 #include "app/inspector/inspector.h"
 #include "app/labs/slice.h"
 #include "app/plot/plot.h"
-#include "core/advection/stencil.h"
+#include "core/interpolation/interpolation.h"
+#include "core/stencils/stencil.h"
 
 namespace whorl::app {
 
-/// A truth for every interpolation of the registry.
-using ShownInterpolations = std::array<bool, Interpolations::infos.size()>;
+/// On or off for every interpolation of the list.
+using ShownInterpolations = std::vector<bool>;
 
-constexpr ShownInterpolations all_interpolations() {
-    ShownInterpolations all{};
-    all.fill(true);
-    return all;
+inline ShownInterpolations all_interpolations() {
+    return ShownInterpolations(Interpolation::list().all().size(), true);
 }
 
 struct InterpolationLab {
@@ -36,8 +34,8 @@ struct InterpolationLab {
 struct StencilLab {
     bool open = false;
     struct Choice {
-        Stencils::Id kind;
-        Weights::Id weights;
+        Id<StencilShape> kind;
+        Id<WeightKernel> weights;
         int zeta = 2;
         int dimensions = 2;
         int seed = 1;

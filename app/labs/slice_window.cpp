@@ -59,11 +59,11 @@ void add_interpolations(const PanelContext& context, SliceLab& lab, std::vector<
     for (std::size_t k = 0; k < lab.shown.size(); ++k) {
         if (!lab.shown[k]) continue;
         SchemeSet schemes = context.client.session().lanes[lane].scene.scalars;
-        schemes.interpolation = Interpolations::Id::at(k);
+        schemes.interpolation = Id<Interpolation>::at(k);
         schemes.clamped = lab.clamped;
         all.push_back(drawn(context, lab, lane, schemes));
         if (all.size() > 1) all.back().cells = {};
-        all.back().label = Interpolations::infos[k].label;
+        all.back().label = schemes.interpolation.info().label;
         all.back().colour = interpolation_colour(context.theme, k);
     }
 }
@@ -76,7 +76,7 @@ void add_exact(const PanelContext& context, SliceLab& lab, std::vector<Drawn>& a
     const Field& filled =
         lab.exact.of(context.client.selected(), selected, selected.exact, context.fields.version());
     SchemeSet straight;
-    straight.interpolation = Interpolations::of<Linear>();
+    straight.interpolation = linear;
     Drawn exact{.label = "exact", .colour = context.theme.palette.text, .exact = true};
     exact.curve = curve_along(filled, selected, lab.line, straight,
                               samples_per_cell(place_line(lab.line, selected.grid()).cells()));
@@ -152,7 +152,7 @@ void interpolation_controls(PanelContext& context, SliceLab& lab) {
     constexpr int columns = 4;
     const float width = chip_width(columns);
     for (std::size_t k = 0; k < lab.shown.size(); ++k) {
-        const SchemeInfo& info = Interpolations::infos[k];
+        const SchemeInfo& info = Id<Interpolation>::at(k).info();
         if (k % columns != 0) ImGui::SameLine(0, std::floor(0.5f * ImGui::GetStyle().ItemSpacing.x));
         if (legend_toggle(context, "slice-scheme=" + std::string(info.key), info,
                           interpolation_colour(context.theme, k), lab.shown[k], width))

@@ -36,21 +36,22 @@ struct Summary {
 };
 
 /// A row of chips, one for each scheme of a list.
-template <class List>
-void scheme_chips(PanelContext& context, const char* key, typename List::Id& chosen) {
-    const float width = chip_width(static_cast<int>(List::infos.size()));
-    for (std::size_t k = 0; k < List::infos.size(); ++k) {
-        const SchemeInfo& info = List::infos[k];
+template <class Entry>
+void scheme_chips(PanelContext& context, const char* key, Id<Entry>& chosen) {
+    const std::size_t count = Entry::list().all().size();
+    const float width = chip_width(static_cast<int>(count));
+    for (std::size_t k = 0; k < count; ++k) {
+        const SchemeInfo& info = Id<Entry>::at(k).info();
         if (lab_chip(context, std::string(key) + std::string(info.key),
                      {info.label, info.help, "", info.source, ""}, chosen.index() == k, width, k == 0))
-            chosen = List::Id::at(k);
+            chosen = Id<Entry>::at(k);
     }
 }
 
 void controls(PanelContext& context, StencilLab::Choice& choice) {
     const Theme& theme = context.theme;
-    scheme_chips<Stencils>(context, "stencil-kind=", choice.kind);
-    scheme_chips<Weights>(context, "stencil-weights=", choice.weights);
+    scheme_chips(context, "stencil-kind=", choice.kind);
+    scheme_chips(context, "stencil-weights=", choice.weights);
     const float width = chip_width(3);
     for (const int dimensions : {1, 2}) {
         const std::string key = "stencil-dimensions=" + std::to_string(dimensions);
@@ -60,7 +61,7 @@ void controls(PanelContext& context, StencilLab::Choice& choice) {
                      choice.dimensions == dimensions, std::floor(0.5f * width), dimensions == 1))
             choice.dimensions = dimensions;
     }
-    const bool jittered = choice.kind == Stencils::of<Jittered>();
+    const bool jittered = choice.kind->traits.seeded;
     const auto whole = [&](const char* label, const char* id, int& value, int least, int most, float wide,
                            const TooltipText& help) {
         ImGui::SameLine();
@@ -181,20 +182,21 @@ void particles_plot(PanelContext& context, const StencilLab& lab, ImVec2 size) {
 /// The weights as curves, those of the particles themselves as dots on the chosen one.
 void weights_plot(PanelContext& context, const StencilLab& lab, ImVec2 size) {
     const Theme& theme = context.theme;
-    constexpr std::size_t kinds = Weights::infos.size();
+    const std::size_t kinds = WeightKernel::list().all().size();
     constexpr int samples = 160;
     const double radius = Stencil::radius(lab.choice.dimensions);
     std::vector<float> x;
-    std::array<std::vector<float>, kinds> y;
+    std::vector<std::vector<float>> y(kinds);
     std::vector<LegendEntry> legend;
     Extent extent;
     extent.add(std::array{0.0f});
     for (int m = 0; m <= samples; ++m) x.push_back(static_cast<float>(radius * (2.0 * m / samples - 1)));
     for (std::size_t k = 0; k < kinds; ++k) {
-        const WeightProfile profile(*lab.stencil, lab.choice.dimensions, Weights::Id::at(k));
+        const auto kind = Id<WeightKernel>::at(k);
+        const WeightProfile profile(*lab.stencil, lab.choice.dimensions, kind);
         for (const float r : x) y[k].push_back(static_cast<float>(profile(std::abs(static_cast<double>(r)))));
         extent.add(y[k]);
-        legend.push_back({Weights::infos[k].label, theme.palette.series[k]});
+        legend.push_back({kind.info().label, theme.palette.series[k % theme.palette.series.size()]});
     }
     Plot plot;
     plot.title = "Weights";

@@ -4,7 +4,7 @@
 
 namespace whorl::app {
 
-WeightProfile::WeightProfile(const Stencil& stencil, int dimensions, Weights::Id kind)
+WeightProfile::WeightProfile(const Stencil& stencil, int dimensions, Id<WeightKernel> kind)
     : kind_(kind), radius_(Stencil::radius(dimensions)) {
     for (const Particle& particle : stencil.particles())
         sum_ +=
@@ -12,7 +12,7 @@ WeightProfile::WeightProfile(const Stencil& stencil, int dimensions, Weights::Id
 }
 
 double WeightProfile::raw(double r) const {
-    return Weights::dispatch(kind_, [&]<class W>(std::type_identity<W>) { return W::weight(r, radius_); });
+    return kind_->weight(r, radius_);
 }
 
 }  // namespace whorl::app

@@ -13,7 +13,7 @@ std::string label(const SchemeInfo& info) {
 
 /// The scheme that makes the step's particles.
 std::string family(const SchemeSet& s) {
-    return label(s.predictor_corrector() ? s.base.info() : s.advector.info());
+    return label(s.step_info());
 }
 
 std::string why_idle(std::string_view key, const SchemeSet& s, const Scene& scene) {
@@ -25,14 +25,14 @@ std::string why_idle(std::string_view key, const SchemeSet& s, const Scene& scen
         return family(s) + " takes values and gradients from linear weights [thesis eq. 4.2–4.3].";
     }
     if (key == "clamped") {
-        if (!s.interpolation_traits().overshoots) {
+        if (!s.interpolation->traits.overshoots) {
             return label(s.interpolation.info()) +
                    " never leaves the range of its nodes: there is nothing to cut.";
         }
     }
     if (key == "axis-order") {
         if (scene.dimensions == 1) return "There is one axis only.";
-        if (s.interpolation_traits().bilinear) {
+        if (s.interpolation->traits.bilinear) {
             return label(s.interpolation.info()) + " interpolation gives the same along either axis first.";
         }
     }
@@ -59,7 +59,7 @@ std::string why_idle(const Parameter& p, const Scene& scene) {
     if (p.group == Group::Forces || p.group == Group::Pressure || p.key == "order") {
         if (prescribed) return known_flow();
     }
-    if (p.key == "seed" && !scene.velocity.seeded() && !scene.scalars.seeded()) {
+    if (p.key == "seed" && !scene.velocity.stencil->traits.seeded && !scene.scalars.stencil->traits.seeded) {
         return "Only the jittered stencil is random.";
     }
     if (p.group != Group::Schemes && p.group != Group::Particles) return {};

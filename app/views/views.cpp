@@ -124,7 +124,7 @@ std::string describe(const SchemeSet& s) {
     } else {
         text += " · " + std::string(s.interpolation.info().label) + (s.clamped ? ", clamped" : "");
     }
-    if (s.advector != Advectors::of<SemiLagrangian>() && s.limiter != Limiters::of<ClampLimiter>()) {
+    if (s.advector->traits.limited && s.limiter != Id<Limiter>()) {
         text += " · limiter: " + std::string(s.limiter.key());
     }
     return text + " · " + std::string(s.tracer.info().label);

@@ -1,66 +1,52 @@
-// The sole place where the loops of interpolation, tracers and limiters are instantiated.
-#include "core/advection/advect.h"
+#include "core/advection/kernels.h"
+
 #include "core/advection/affine_loops.h"
-#include "core/advection/sampling_loops.h"
+#include "core/sampling/locate_loop.h"
 
 namespace whorl {
 namespace {
 
-/// Turns a run-time truth into a template argument.
-template <class F>
-auto with_bool(bool value, F&& f) {
-    return value ? f(std::true_type{}) : f(std::false_type{});
+template <Expansion expansion, bool periodic>
+void choose_affine(Kernels& kernels, Isa isa) {
+    kernels.sample_particles = PerIsa<SampleParticlesFn, SampleParticlesLoop<expansion, periodic>>::pick(isa);
+    kernels.add_contributions = PerIsa<AddContributionsFn, AddContributionsLoop<expansion>>::pick(isa);
 }
 
-SampleFn choose_sample(const SchemeSet& s, bool periodic, Isa isa) {
-    return Interpolations::dispatch(s.interpolation, [&]<class I>(std::type_identity<I>) {
-        return with_bool(s.x_first(), [&]<class X>(X) {
-            return with_bool(s.clamped, [&]<class C>(C) {
-                return with_bool(periodic, [&]<class P>(P) {
-                    return PerIsa<SampleFn, SampleLoop<I, X::value, C::value, P::value>>::pick(isa);
-                });
-            });
-        });
-    });
+template <bool periodic>
+void choose_affine(Kernels& kernels, Expansion expansion, Isa isa) {
+    switch (expansion) {
+        case Expansion::Value:
+            return choose_affine<Expansion::Value, periodic>(kernels, isa);
+        case Expansion::Gradient:
+            return choose_affine<Expansion::Gradient, periodic>(kernels, isa);
+        case Expansion::CrossTerm:
+            return choose_affine<Expansion::CrossTerm, periodic>(kernels, isa);
+        case Expansion::None:
+            return;
+    }
 }
 
-template <Expansion expansion>
-void choose_affine(Kernels& kernels, bool periodic, Isa isa) {
-    kernels.carry = with_bool(
-        periodic, [&]<class P>(P) { return PerIsa<CarryFn, CarryLoop<expansion, P::value>>::pick(isa); });
-    kernels.gather = PerIsa<GatherFn, GatherLoop<expansion>>::pick(isa);
+template <bool periodic>
+LocateFn locate_loop(Isa isa) {
+    return PerIsa<LocateFn, LocateLoop<periodic>>::pick(isa);
 }
 
 }  // namespace
 
 Kernels choose_kernels(const SchemeSet& s, bool periodic, Isa isa) {
     Kernels kernels{};
-    with_bool(periodic, [&]<class P>(P) {
-        kernels.trace = Tracers::dispatch(s.tracer, [&]<class T>(std::type_identity<T>) {
-            return PerIsa<TraceFn, TraceLoop<T, P::value>>::pick(isa);
-        });
-        kernels.locate = PerIsa<LocateFn, LocateLoop<P::value>>::pick(isa);
-        kernels.sample_linear = PerIsa<SampleFn, SampleLoop<Linear, true, false, P::value>>::pick(isa);
-    });
-    kernels.sample = choose_sample(s, periodic, isa);
-    switch (s.expansion()) {
-        case Expansion::Value:
-            choose_affine<Expansion::Value>(kernels, periodic, isa);
-            break;
-        case Expansion::Gradient:
-            choose_affine<Expansion::Gradient>(kernels, periodic, isa);
-            break;
-        case Expansion::CrossTerm:
-            choose_affine<Expansion::CrossTerm>(kernels, periodic, isa);
-            break;
-        case Expansion::None:
-            break;
+    kernels.trace = s.tracer->trace(periodic, isa);
+    kernels.locate = periodic ? locate_loop<true>(isa) : locate_loop<false>(isa);
+    kernels.sample = s.interpolation->sample(
+        {.x_first = s.axis_order->x_first, .clamped = s.clamped, .periodic = periodic}, isa);
+    kernels.sample_linear = linear.sample({.periodic = periodic}, isa);
+    if (periodic) {
+        choose_affine<true>(kernels, s.expansion(), isa);
+    } else {
+        choose_affine<false>(kernels, s.expansion(), isa);
     }
-    kernels.limit = Limiters::dispatch(
-        s.limiter, [&]<class L>(std::type_identity<L>) { return PerIsa<LimitFn, LimitLoop<L>>::pick(isa); });
-    if (Bases::dispatch(s.base, []<class B>(std::type_identity<B>) { return B::clamps_base; })) {
-        kernels.limit_base = PerIsa<LimitFn, LimitLoop<ClampLimiter>>::pick(isa);
-    }
+    kernels.limit = s.limiter->limit(isa);
+    if (s.base->clamped) kernels.limit_base = clamp_limiter.limit(isa);
     return kernels;
 }
 

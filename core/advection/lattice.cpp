@@ -74,13 +74,13 @@ void LatticeTile::shape(const Lattice& lattice, int fields) {
         highest = std::max(highest, lattice.highest(site));
         particles = std::max(particles, lattice.particles(site).size());
     }
-    if (shares_.size() < particles) shares_.resize(particles);
+    if (contributions_.size() < particles) contributions_.resize(particles);
     for (auto& sources : sources_) {
         if (sources.size() < particles) sources.resize(particles);
     }
     slots_ = highest - lowest + 1;
     per_cell_ = lattice.per_cell();
-    rows_ = displacement_rows + fields * Carried::rows;
+    rows_ = displacement_rows + fields * ParticleSamples::rows;
     const std::size_t size = static_cast<std::size_t>(slots_) * per_cell_ * rows_ * stride / Line::size;
     if (lines_.size() < size) lines_.resize(size);
 }

@@ -11,7 +11,7 @@
 namespace whorl {
 
 struct Group;
-class Finish;
+class Store;
 struct Step;
 
 /// Particles of neighbouring nodes start from the same points: one lattice with `per_cell` points a cell
@@ -71,8 +71,8 @@ class Lattice {
 /// A thread's stretch of lattice: a few rows of points, a tile's width wide, and what they carry.
 class LatticeTile {
   public:
-    /// Cells across: rows stay in a core's own cache, and with a cell more they are whole runs.
-    static constexpr int max_cells = 2 * Run::size - 1;
+    /// Cells across: rows stay in a core's own cache, and with a cell more they are whole spans.
+    static constexpr int max_cells = 2 * NodeSpan::size - 1;
     /// A cache line, or a vector register.
     struct alignas(64) Line {
         static constexpr int size = 64 / sizeof(Real);
@@ -106,18 +106,18 @@ class LatticeTile {
 
     /// Room for a source for each particle of a group's node, and for a share.
     std::span<Source> sources(int group) { return sources_[static_cast<std::size_t>(group)]; }
-    std::span<Share> shares() { return shares_; }
+    std::span<Contribution> contributions() { return contributions_; }
 
   private:
     int slots_ = 1, per_cell_ = 1, rows_ = 0;
     std::vector<Line> lines_;
     std::array<std::vector<Source>, 3> sources_;
-    std::vector<Share> shares_;
+    std::vector<Contribution> contributions_;
 };
 
 /// Rows [first, last) of a base step whose particles form a lattice: points are traced and sampled once, row
 /// by row, and nodes sum what the points around them carry.
 void lattice_band(const Step& step, std::span<const Group> groups, Real direction, int first, int last,
-                  LatticeTile& tile, Finish finish);
+                  LatticeTile& tile, Store finish);
 
 }  // namespace whorl

@@ -31,7 +31,7 @@ class Band {
         find_sources();
     }
 
-    void run(int first, int last, Finish finish) {
+    void run(int first, int last, Store finish) {
         const int m = lattice_.per_cell();
         int next = m * first + lowest_;  // the lattice row to trace
         for (int j = first; j < last; ++j) {
@@ -83,7 +83,7 @@ class Band {
                                        tile_.point(x) + row * LatticeTile::stride + cell - reach(p.y, x).low,
                                        &p.particle};
             }
-            row += groups_[g].count * Carried::rows;
+            row += groups_[g].count * ParticleSamples::rows;
         }
     }
 
@@ -108,62 +108,63 @@ class Band {
         }
     }
 
-    void trace_points(Run run, int y, int x, unsigned wanted) {
+    void trace_points(NodeSpan nodes, int y, int x, unsigned wanted) {
         constexpr auto stride = LatticeTile::stride;
-        Real* to = at(y, x, run.i);
-        step_.kernels.trace({step_.velocity, Site::Centre}, run,
-                            lattice_.start(x, y - lattice_.per_cell() * run.j), dt_, to, to + stride);
-        Real* carried = to + LatticeTile::displacement_rows * stride;
+        Real* to = at(y, x, nodes.i);
+        step_.kernels.trace({step_.velocity, Site::Centre}, nodes,
+                            lattice_.start(x, y - lattice_.per_cell() * nodes.j), dt_, to, to + stride);
+        Real* samples = to + LatticeTile::displacement_rows * stride;
         for (std::size_t g = 0; g < groups_.size(); ++g) {
             const Group& group = groups_[g];
             if ((wanted >> g & 1U) != 0) {
-                step_.kernels.carry(group.sources(), Site::Centre, run, to, to + stride, {carried, stride});
+                step_.kernels.sample_particles(group.sources(), Site::Centre, nodes, to, to + stride,
+                                               {samples, stride});
             }
-            carried += group.count * Carried::rows * stride;
+            samples += group.count * ParticleSamples::rows * stride;
         }
     }
 
-    void update_row(int g, int j, Finish finish) {
+    void update_row(int g, int j, Store finish) {
         const int end = std::min(end_cell_, groups_[g].shape().width());
-        for (int i = first_cell_; i < end; i += Run::size) {
-            update_run(g, {i, j, std::min(Run::size, end - i)}, finish);
+        for (int i = first_cell_; i < end; i += NodeSpan::size) {
+            update_span(g, {i, j, std::min(NodeSpan::size, end - i)}, finish);
         }
     }
 
-    void update_run(int g, Run run, Finish finish) {
+    void update_span(int g, NodeSpan nodes, Store finish) {
         constexpr auto stride = LatticeTile::stride;
         const Group& group = groups_[g];
         const int m = lattice_.per_cell();
         int row = LatticeTile::displacement_rows;
-        for (int k = 0; k < g; ++k) row += groups_[k].count * Carried::rows;
-        Places places;
+        for (int k = 0; k < g; ++k) row += groups_[k].count * ParticleSamples::rows;
+        CellPositions positions;
         GroupValues q, first_order;
         Real* node = nullptr;
         if (const auto& own = lattice_.node(site(group))) {
-            node = at(m * run.j + own->y, own->x, run.i);
-            step_.kernels.locate(group.shape(), Site::Centre, run, node, node + stride, places);
+            node = at(m * nodes.j + own->y, own->x, nodes.i);
+            step_.kernels.locate(group.shape(), Site::Centre, nodes, node, node + stride, positions);
         } else {
-            step_.departure(run, group.shape(), direction_, places);
+            step_.departure(nodes, group.shape(), direction_, positions);
         }
         const std::size_t count = lattice_.particles(site(group)).size();
-        const std::span<Share> shares = tile_.shares().first(count);
+        const std::span<Contribution> contributions = tile_.contributions().first(count);
         const std::span<const LatticeTile::Source> sources = tile_.sources(g);
         for (std::size_t k = 0; k < count; ++k) {
             const LatticeTile::Source& source = sources[k];
-            shares[k] = {rows_[source.row] + source.offset + (run.i - first_cell_), source.particle};
+            contributions[k] = {rows_[source.row] + source.offset + (nodes.i - first_cell_), source.particle};
         }
         for (int f = 0; f < group.count; ++f) {
             if (node) {
-                std::copy_n(node + (row + f * Carried::rows) * stride, run.count, first_order[f]);
+                std::copy_n(node + (row + f * ParticleSamples::rows) * stride, nodes.count, first_order[f]);
             } else {
-                step_.kernels.sample_linear(*group.from[f], places, run.count, first_order[f]);
+                step_.kernels.sample_linear(*group.from[f], positions, nodes.count, first_order[f]);
             }
             Values sum{};
-            step_.kernels.gather(shares, stride, run.count, first_order[f], sum);
-            for (int k = 0; k < run.count; ++k) q[f][k] = first_order[f][k] + sum[k];
-            for (Share& share : shares) share.values += Carried::rows * stride;
+            step_.kernels.add_contributions(contributions, stride, nodes.count, first_order[f], sum);
+            for (int k = 0; k < nodes.count; ++k) q[f][k] = first_order[f][k] + sum[k];
+            for (Contribution& one : contributions) one.values += ParticleSamples::rows * stride;
         }
-        finish({g, run, places, q, first_order});
+        finish({g, nodes, positions, q, first_order});
     }
 
     const Step& step_;
@@ -181,7 +182,7 @@ class Band {
 }  // namespace
 
 void lattice_band(const Step& step, Groups groups, Real direction, int first, int last, LatticeTile& tile,
-                  Finish finish) {
+                  Store finish) {
     int width = 0;
     for (const Group& group : groups) width = std::max(width, group.shape().width());
     for (int i = 0; i < width; i += LatticeTile::max_cells) {

@@ -22,53 +22,53 @@ int Step::most_rows(Groups groups) {
     return rows;
 }
 
-void Step::departure(Run run, const Field& shape, Real direction, Places& out) const {
+void Step::departure(NodeSpan nodes, const Field& shape, Real direction, CellPositions& out) const {
     Displacements d;
-    kernels.trace({velocity, shape.site()}, run, Vec2(0, 0), direction * dt, d.x, d.y);
-    kernels.locate(shape, shape.site(), run, d.x, d.y, out);
+    kernels.trace({velocity, shape.site()}, nodes, Vec2(0, 0), direction * dt, d.x, d.y);
+    kernels.locate(shape, shape.site(), nodes, d.x, d.y, out);
 }
 
-void Step::plain_band(Groups groups, Real direction, int first, int last, Finish finish) const {
+void Step::plain_band(Groups groups, Real direction, int first, int last, Store finish) const {
     for (int j = first; j < last; ++j) {
         for (int g = 0; g < static_cast<int>(groups.size()); ++g) {
             const Field& shape = groups[g].shape();
             if (j >= shape.height()) continue;
-            for (int i = 0; i < shape.width(); i += Run::size) {
-                const Run run{i, j, std::min(Run::size, shape.width() - i)};
-                Places at;
+            for (int i = 0; i < shape.width(); i += NodeSpan::size) {
+                const NodeSpan nodes{i, j, std::min(NodeSpan::size, shape.width() - i)};
+                CellPositions at;
                 GroupValues q, first_order;
-                departure(run, shape, direction, at);
-                const Stepped result{g, run, at, q, first_order};
-                plain_run(groups[g], run, direction, result);
+                departure(nodes, shape, direction, at);
+                const StepResult result{g, nodes, at, q, first_order};
+                plain_span(groups[g], nodes, direction, result);
                 finish(result);
             }
         }
     }
 }
 
-void Step::plain_run(const Group& group, Run run, Real direction, const Stepped& out) const {
-    if (kernels.carry == nullptr) {
-        for (int f = 0; f < group.count; ++f) kernels.sample(*group.from[f], out.at, run.count, out.q[f]);
+void Step::plain_span(const Group& group, NodeSpan nodes, Real direction, const StepResult& out) const {
+    if (kernels.sample_particles == nullptr) {
+        for (int f = 0; f < group.count; ++f) kernels.sample(*group.from[f], out.at, nodes.count, out.q[f]);
         return;
     }
     GroupValues sum{};
     for (int f = 0; f < group.count; ++f) {
-        kernels.sample_linear(*group.from[f], out.at, run.count, out.first_order[f]);
+        kernels.sample_linear(*group.from[f], out.at, nodes.count, out.first_order[f]);
     }
     for (const Particle& particle : particles) {
-        if (particle.offset == Vec2(0, 0)) continue;  // its share is a difference from itself
+        if (particle.offset == Vec2(0, 0)) continue;  // its contribution is a difference from itself
         const Site site = group.shape().site();
         Displacements d;
-        alignas(64) Real carried[Group::max_fields * Carried::rows * Run::size];
-        kernels.trace({velocity, site}, run, particle.offset, direction * dt, d.x, d.y);
-        kernels.carry(group.sources(), site, run, d.x, d.y, {carried, Run::size});
+        alignas(64) Real samples[Group::max_fields * ParticleSamples::rows * NodeSpan::size];
+        kernels.trace({velocity, site}, nodes, particle.offset, direction * dt, d.x, d.y);
+        kernels.sample_particles(group.sources(), site, nodes, d.x, d.y, {samples, NodeSpan::size});
         for (int f = 0; f < group.count; ++f) {
-            const Share share{carried + f * Carried::rows * Run::size, &particle};
-            kernels.gather({&share, 1}, Run::size, run.count, out.first_order[f], sum[f]);
+            const Contribution one{samples + f * ParticleSamples::rows * NodeSpan::size, &particle};
+            kernels.add_contributions({&one, 1}, NodeSpan::size, nodes.count, out.first_order[f], sum[f]);
         }
     }
     for (int f = 0; f < group.count; ++f) {
-        for (int k = 0; k < run.count; ++k) out.q[f][k] = out.first_order[f][k] + sum[f][k];
+        for (int k = 0; k < nodes.count; ++k) out.q[f][k] = out.first_order[f][k] + sum[f][k];
     }
 }
 
@@ -79,7 +79,7 @@ void Workspace::shape_like(const Group& group) {
             if (!field->same_shape(shape)) *field = Field(shape.width(), shape.height(), shape.site());
         }
     }
-    cells.resize(static_cast<std::size_t>(shape.width()) * shape.height() + Run::size);
+    cells.resize(static_cast<std::size_t>(shape.width()) * shape.height() + NodeSpan::size);
 }
 
 }  // namespace whorl

@@ -7,18 +7,11 @@
 
 #include "core/advection/kernels.h"
 #include "core/advection/lattice.h"
-#include "core/grid/boundary.h"
-#include "core/parallel/pool.h"
+#include "core/advection/transport.h"
 
 namespace whorl {
 
-/// A field as it was, and as it shall be.
-struct AdvectedField {
-    const Field* from;
-    Field* to;
-};
-
-/// Fields at one site that move together, so that one trace serves them all: as many as a pass takes.
+/// Fields at one site that one trace serves: as many as a pass takes.
 struct Group {
     static constexpr int max_fields = 2;
     std::array<const Field*, max_fields> from{};
@@ -34,7 +27,7 @@ struct Group {
     std::span<const Field* const> sources() const { return std::span(from).first(count); }
 };
 
-/// Groups at different sites that move by the same schemes.
+/// Groups at different sites that are advected by the same schemes.
 using Groups = std::span<const Group>;
 /// One a site.
 inline constexpr std::size_t max_groups = 3;
@@ -52,32 +45,33 @@ class Pass {
     std::size_t count_ = 0;
 };
 
-/// New values of a run, a row a field of the group.
+/// New values of a span, a row a field of the group.
 struct GroupValues {
     alignas(64) Values of[Group::max_fields];
     Values& operator[](int f) { return of[f]; }
 };
 
-/// The result of a base step for a run of one group's nodes.
-struct Stepped {
+/// The result of a base step for a span of one group's nodes.
+struct StepResult {
     int group;
-    Run run;
-    const Places& at;          ///< departure points of the nodes
+    NodeSpan nodes;
+    const CellPositions& at;   ///< departure points of the nodes
     GroupValues& q;            ///< new values, unclamped
     GroupValues& first_order;  ///< with particles: the linear semi-Lagrangian values
 };
 
 /// What to do with each result; refers to a callable that outlives it.
-class Finish {
+class Store {
   public:
     template <class F>
-    Finish(F& finish)  // NOLINT(google-explicit-constructor): a callable is one
-        : callable_(&finish), call_([](void* f, const Stepped& result) { (*static_cast<F*>(f))(result); }) {}
-    void operator()(const Stepped& result) const { call_(callable_, result); }
+    Store(F& finish)  // NOLINT(google-explicit-constructor): a callable is one
+        : callable_(&finish),
+          call_([](void* f, const StepResult& result) { (*static_cast<F*>(f))(result); }) {}
+    void operator()(const StepResult& result) const { call_(callable_, result); }
 
   private:
     void* callable_;
-    void (*call_)(void*, const Stepped&);
+    void (*call_)(void*, const StepResult&);
 };
 
 /// The base step with everything decided: which loops, which particles, which flow.
@@ -91,7 +85,7 @@ struct Step {
     Pool* pool;
     Real dt;  ///< step over cell size, time/length
 
-    /// One base step of every group, handed to `finish` run by run, on all threads.
+    /// One base step of every group, handed to `finish` span by span, on all threads.
     /// [T alg 3.1 without particles, 4.1 with them; unclamped]
     /// @param direction −1 traces forward
     template <class F>
@@ -105,25 +99,26 @@ struct Step {
         });
     }
 
-    /// Where the flow brings the nodes of a run from.
-    void departure(Run run, const Field& shape, Real direction, Places& out) const;
+    /// Where the flow brings the nodes of a span from.
+    void departure(NodeSpan nodes, const Field& shape, Real direction, CellPositions& out) const;
 
   private:
     static int most_rows(Groups groups);
     /// Rows [first, last), node by node: each traces its own particles.
-    void plain_band(Groups groups, Real direction, int first, int last, Finish finish) const;
-    void plain_run(const Group& group, Run run, Real direction, const Stepped& out) const;
+    void plain_band(Groups groups, Real direction, int first, int last, Store finish) const;
+    void plain_span(const Group& group, NodeSpan nodes, Real direction, const StepResult& out) const;
 };
 
 /// The intermediate fields of the predictor-correctors for one group, kept from step to step.
 struct Workspace {
     std::array<Field, Group::max_fields> forward;
     std::array<Field, Group::max_fields> corrected;
-    /// The cell of each node's forward departure point, as Places::at; a row may be read a run too far.
+    /// The cell of each node's forward departure point, as CellPositions::at; a row may be read a span too
+    /// far.
     std::vector<Index> cells;
 
-    Index* departures(Run run, const Field& shape) {
-        return cells.data() + static_cast<std::size_t>(run.j) * shape.width() + run.i;
+    Index* departures(NodeSpan nodes, const Field& shape) {
+        return cells.data() + static_cast<std::size_t>(nodes.j) * shape.width() + nodes.i;
     }
     /// Brings the fields into a group's shape; allocates only when that has changed.
     void shape_like(const Group& group);

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/base/real.h"
 #include "core/grid/grid.h"
-#include "core/grid/real.h"
 
 namespace whorl {
 

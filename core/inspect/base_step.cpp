@@ -13,7 +13,7 @@ double number(Real value) {
     return static_cast<double>(value);
 }
 
-Kernels kernels_of(SchemeSet schemes, bool periodic, bool clamped, Limiters::Id limiter) {
+Kernels kernels_of(SchemeSet schemes, bool periodic, bool clamped, Id<Limiter> limiter) {
     schemes.clamped = clamped;
     schemes.limiter = limiter;
     return choose_kernels(schemes, periodic);
@@ -29,15 +29,12 @@ std::string offset_name(Vec2 offset) {
 /// Where the thesis has the update of an affine scheme. A base step's clamp has a source of its own.
 std::string update_source(const SchemeSet& schemes) {
     if (!schemes.predictor_corrector()) return thesis_part(schemes.advector.info().source);
-    const bool clamped = schemes.base == Bases::of<AslamClamped>();
-    return thesis_part(clamped ? Aslam::info.source : schemes.base.info().source);
+    return thesis_part(schemes.base->step->info.source);
 }
 
 /// Whether clamping an interpolation is more than its own nature.
 bool clamps(const SchemeSet& schemes) {
-    return schemes.clamped &&
-           Interpolations::dispatch(schemes.interpolation,
-                                    []<class I>(std::type_identity<I>) { return !I::traits.bilinear; });
+    return schemes.clamped && !schemes.interpolation->traits.bilinear;
 }
 
 }  // namespace
@@ -47,7 +44,7 @@ NodeStepper::NodeStepper(const SchemeSet& schemes, const LastAdvection& last)
       last_(last),
       kernels_(choose_kernels(schemes, last.boundary->periodic())),
       unclamped_(kernels_of(schemes, last.boundary->periodic(), false, schemes.limiter).sample),
-      clamp_(kernels_of(schemes, last.boundary->periodic(), false, Limiters::of<ClampLimiter>()).limit),
+      clamp_(kernels_of(schemes, last.boundary->periodic(), false, clamp_limiter).limit),
       stencil_(schemes.stencil, schemes.zeta, schemes.weights, last.boundary->grid().dimensions(),
                last.setup.seed),
       lattice_(schemes.affine() ? Lattice::of(stencil_.particles()) : std::nullopt),
@@ -58,7 +55,7 @@ NodeStep NodeStepper::step(const Stepping& from, int i, int j, Real direction) c
     const auto& point = lattice_ ? lattice_->node(q.site()) : std::nullopt;
     const Departing node =
         point ? departing(*point, i, j, direction) : departing(q.site(), i, j, Vec2(0, 0), direction);
-    const Places at = located(q, node);
+    const CellPositions at = located(q, node);
     NodeStep out;
     out.cell = at.at[0];
     draw(from, node, at, out.drawn);
@@ -85,19 +82,20 @@ Displacements NodeStepper::displaced(const Departing& from) const {
     return d;
 }
 
-Places NodeStepper::located(const Field& q, const Departing& from) const {
+CellPositions NodeStepper::located(const Field& q, const Departing& from) const {
     const Displacements d = displaced(from);
-    Places places{};
+    CellPositions places{};
     kernels_.locate(q, from.site, {from.i, from.j, 1}, d.x, d.y, places);
     return places;
 }
 
-void NodeStepper::draw(const Stepping& from, const Departing& node, const Places& at, BaseStep& out) const {
+void NodeStepper::draw(const Stepping& from, const Departing& node, const CellPositions& at,
+                       BaseStep& out) const {
     const Field& q = *from.field;
     const Grid& grid = last_.boundary->grid();
-    out.path = path_of(schemes_.tracer, node);
-    out.euler = path_of(Tracers::of<Euler>(), node);
-    out.midpoint = path_of(Tracers::of<Midpoint>(), node);
+    out.path = path_of(schemes_.tracer.entry(), node);
+    out.euler = path_of(euler, node);
+    out.midpoint = path_of(midpoint, node);
     out.fine = fine_path(node);
     out.i = at.i[0];
     out.j = at.j[0];
@@ -112,7 +110,7 @@ void NodeStepper::draw(const Stepping& from, const Departing& node, const Places
     }
 }
 
-void NodeStepper::interpolate(const Stepping& from, const Places& at, NodeStep& out) const {
+void NodeStepper::interpolate(const Stepping& from, const CellPositions& at, NodeStep& out) const {
     const Field& q = *from.field;
     Values value{};
     unclamped_(q, at, 1, value);
@@ -130,14 +128,15 @@ void NodeStepper::interpolate(const Stepping& from, const Places& at, NodeStep& 
 
 // NOLINTNEXTLINE(readability-function-size)
 void NodeStepper::gather(const Stepping& from, int i, int j, const Departing& node, Real direction,
-                         const Places& at, NodeStep& out) const {
-    using Row = std::array<Real, Carried::rows * Run::size>;
+                         const CellPositions& at, NodeStep& out) const {
+    using Row = std::array<Real, ParticleSamples::rows * NodeSpan::size>;
     const Field& q = *from.field;
     const std::array<const Field*, 1> fields{&q};
     const auto carry = [&](const Departing& particle) {
         Row row{};
         const Displacements d = displaced(particle);
-        kernels_.carry(fields, particle.site, {particle.i, particle.j, 1}, d.x, d.y, {row.data(), Run::size});
+        kernels_.sample_particles(fields, particle.site, {particle.i, particle.j, 1}, d.x, d.y,
+                                  {row.data(), NodeSpan::size});
         return row;
     };
     const bool on_lattice = lattice_ && lattice_->node(q.site());
@@ -165,10 +164,10 @@ void NodeStepper::gather(const Stepping& from, int i, int j, const Departing& no
     }
     std::vector<Row> rows;
     for (const Departing& start : starts) rows.push_back(carry(start));
-    std::vector<Share> shares;
+    std::vector<Contribution> shares;
     for (std::size_t k = 0; k < rows.size(); ++k) shares.push_back({rows[k].data(), particles[k]});
     Values sum{};
-    kernels_.gather(shares, Run::size, 1, first_order, sum);
+    kernels_.add_contributions(shares, NodeSpan::size, 1, first_order, sum);
     out.value = first_order[0] + sum[0];
 
     out.sum.title = from.symbol + " from " + std::to_string(stencil_.particles().size()) + " particles";
@@ -199,15 +198,15 @@ void NodeStepper::gather(const Stepping& from, int i, int j, const Departing& no
         const Particle alone{particles[k]->offset, 1};
         const Values nothing{};
         Values carried{}, contribution{};
-        const Share whole{row.data(), &alone};
-        kernels_.gather({&whole, 1}, Run::size, 1, nothing, carried);
-        kernels_.gather({&shares[k], 1}, Run::size, 1, nothing, contribution);
-        const StencilParticle found{.path = path_of(schemes_.tracer, starts[k]),
+        const Contribution whole{row.data(), &alone};
+        kernels_.add_contributions({&whole, 1}, NodeSpan::size, 1, nothing, carried);
+        kernels_.add_contributions({&shares[k], 1}, NodeSpan::size, 1, nothing, contribution);
+        const StencilParticle found{.path = path_of(schemes_.tracer.entry(), starts[k]),
                                     .weight = number(particles[k]->weight),
                                     .value = number(row[0]),
-                                    .gradient_x = number(row[Run::size]),
-                                    .gradient_y = number(row[2 * Run::size]),
-                                    .cross = number(row[3 * Run::size]),
+                                    .gradient_x = number(row[NodeSpan::size]),
+                                    .gradient_y = number(row[2 * NodeSpan::size]),
+                                    .cross = number(row[3 * NodeSpan::size]),
                                     .at_node = number(carried[0]),
                                     .contribution = number(contribution[0])};
         add(*particles[k], found, particle_sum(*particles[k], found));
@@ -236,7 +235,7 @@ Sum NodeStepper::particle_sum(const Particle& particle, const StencilParticle& f
 }
 
 Real NodeStepper::limited(LimitFn by, const Field& q, Index cell, Real first_order, Real value) const {
-    Places at{};
+    CellPositions at{};
     at.at[0] = cell;
     Values first{}, values{};
     first[0] = first_order;
@@ -266,16 +265,15 @@ void NodeStepper::limit_base(const Field& q, NodeStep& step) const {
 }
 
 void NodeStepper::limit(const Field& q, Index cell, Real first_order, Sum& sum, Real& value) const {
-    if (schemes_.limiter == Limiters::of<NoLimiter>()) return;
+    if (schemes_.limiter->traits.idle) return;
     const Real before = value;
     value = limited(kernels_.limit, q, cell, first_order, before);
     sum.cut = cut(q, cell, before, value);
     sum.cut->by = "limiter: " + std::string(schemes_.limiter.info().label);
-    const bool as_aslam = schemes_.affine() && !schemes_.predictor_corrector() &&
-                          schemes_.limiter == Limiters::of<ClampLimiter>();
-    sum.cut->equation =
-        as_aslam ? "thesis ch. 4, after eq. 4.3" : thesis_part(schemes_.limiter.info().source);
-    if (schemes_.limiter == Limiters::of<RevertLimiter>()) sum.cut->first_order = number(first_order);
+    const std::string_view clamp_source = schemes_.advector->traits.clamp_source;
+    const bool as_advector = schemes_.limiter->traits.bounds && !clamp_source.empty();
+    sum.cut->equation = as_advector ? std::string(clamp_source) : thesis_part(schemes_.limiter.info().source);
+    if (schemes_.limiter->traits.falls_back) sum.cut->first_order = number(first_order);
 }
 
 }  // namespace whorl

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "core/advection/advect.h"
+#include "core/advection/advection.h"
 #include "core/inspect/paths.h"
 
 namespace whorl {
@@ -18,12 +18,13 @@ struct Stepping {
 struct NodeStep {
     BaseStep drawn;
     Sum sum;
-    Index cell = 0;        ///< that holds the node's departure point, as Places::at
+    Index cell = 0;        ///< that holds the node's departure point, as CellPositions::at
     Real first_order = 0;  ///< with particles: the linear semi-Lagrangian value
     Real value = 0;
 };
 
-/// Takes steps A at single nodes with the kernels, stencil and lattice that a Mover has for a set of schemes.
+/// Takes steps A at single nodes with the kernels, stencil and lattice that an Advection has for a set of
+/// schemes.
 class NodeStepper {
   public:
     /// @param last what it refers to must outlive this
@@ -42,11 +43,11 @@ class NodeStepper {
     Departing departing(Site site, int i, int j, Vec2 start, Real direction) const;
     Departing departing(const Lattice::Point& point, int i, int j, Real direction) const;
     Displacements displaced(const Departing& from) const;
-    Places located(const Field& q, const Departing& from) const;
-    void draw(const Stepping& from, const Departing& node, const Places& at, BaseStep& out) const;
-    void interpolate(const Stepping& from, const Places& at, NodeStep& out) const;
-    void gather(const Stepping& from, int i, int j, const Departing& node, Real direction, const Places& at,
-                NodeStep& out) const;
+    CellPositions located(const Field& q, const Departing& from) const;
+    void draw(const Stepping& from, const Departing& node, const CellPositions& at, BaseStep& out) const;
+    void interpolate(const Stepping& from, const CellPositions& at, NodeStep& out) const;
+    void gather(const Stepping& from, int i, int j, const Departing& node, Real direction,
+                const CellPositions& at, NodeStep& out) const;
     Sum particle_sum(const Particle& particle, const StencilParticle& found) const;
     Real limited(LimitFn by, const Field& q, Index cell, Real first_order, Real value) const;
     Cut cut(const Field& q, Index cell, Real before, Real after) const;

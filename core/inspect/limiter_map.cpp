@@ -1,6 +1,7 @@
 #include "core/inspect/limiter_map.h"
 
-#include "core/advection/advect.h"
+#include "core/inspect/explain.h"
+#include "core/inspect/explainer.h"
 #include "core/inspect/walls.h"
 
 namespace whorl {
@@ -8,11 +9,8 @@ namespace {
 
 /// The scheme whose whole step is the base step of a predictor-corrector.
 SchemeSet base_of(SchemeSet schemes) {
-    const bool clamps =
-        Bases::dispatch(schemes.base, []<class B>(std::type_identity<B>) { return B::clamps_base; });
-    schemes.advector = Bases::dispatch(
-        schemes.base, []<class B>(std::type_identity<B>) { return Advectors::of<typename B::Whole>(); });
-    schemes.limiter = clamps ? Limiters::of<ClampLimiter>() : Limiters::of<NoLimiter>();
+    schemes.advector = *schemes.base->step;
+    schemes.limiter = schemes.base->clamped ? clamp_limiter : no_limiter;
     return schemes;
 }
 
@@ -21,41 +19,46 @@ class Marker {
     Marker(const LastAdvection& last, Pool& pool, Field& marks) : last_(last), pool_(pool), marks_(marks) {}
 
     void mark(const Field& q, const SchemeSet& schemes) {
-        Mover mover;
+        Advection advection;
         SchemeSet without = schemes;
-        without.limiter = Limiters::of<NoLimiter>();
-        if (!schemes.predictor_corrector()) {
+        without.limiter = no_limiter;
+        const std::span<const BasePass> passes =
+            AdvectorExplanation::list().find(schemes.advector.key()).passes;
+        if (passes.empty()) {
             without.clamped = false;
-            return mark_difference(q, schemes, without, last_.setup.dt, mover);
+            return mark_difference(q, schemes, without, last_.setup.dt, advection);
         }
-        mark_difference(q, schemes, without, last_.setup.dt, mover);
+        mark_difference(q, schemes, without, last_.setup.dt, advection);
         const SchemeSet base = base_of(schemes);
-        if (!base.clamped && base.limiter == Limiters::of<NoLimiter>()) return;
-        const Workspace& way = mover.workspace(0);
-        mark_base(q, base, last_.setup.dt);
-        mark_base(way.forward[0], base, -last_.setup.dt);
-        if (schemes.advector == Advectors::of<Bfecc>()) mark_base(way.corrected[0], base, last_.setup.dt);
+        if (!base.clamped && base.limiter->traits.idle) return;
+        const Workspace& work = *advection.workspace();
+        for (const BasePass& pass : passes) {
+            const Field& from = pass.field == BasePass::Of::Start     ? q
+                                : pass.field == BasePass::Of::Forward ? work.forward[0]
+                                                                      : work.corrected[0];
+            mark_base(from, base, pass.direction * last_.setup.dt);
+        }
     }
 
   private:
     void mark_base(const Field& q, const SchemeSet& base, double dt) {
         SchemeSet without = base;
-        without.limiter = Limiters::of<NoLimiter>();
+        without.limiter = no_limiter;
         without.clamped = false;
-        Mover mover;
-        mark_difference(q, base, without, dt, mover);
+        Advection advection;
+        mark_difference(q, base, without, dt, advection);
     }
 
-    /// @param mover takes the step `without`, and has its way there when done
+    /// @param advection takes the step `without`, and has its workspace when done
     void mark_difference(const Field& q, const SchemeSet& with, const SchemeSet& without, double dt,
-                         Mover& mover) {
+                         Advection& advection) {
         if (with == without) {
-            advect(q, without, dt, mover);
+            advect(q, without, dt, advection);
             return;
         }
-        Mover limiting;
+        Advection limiting;
         const Field a = advect(q, with, dt, limiting);
-        const Field b = advect(q, without, dt, mover);
+        const Field b = advect(q, without, dt, advection);
         pool_.bands(q.height(), [&](int first, int last) {
             for (int j = first; j < last; ++j) {
                 for (int i = 0; i < q.width(); ++i) {
@@ -65,10 +68,10 @@ class Marker {
         });
     }
 
-    Field advect(const Field& q, const SchemeSet& schemes, double dt, Mover& mover) {
+    Field advect(const Field& q, const SchemeSet& schemes, double dt, Advection& advection) {
         Field moved = last_.boundary->field(q.site());
-        mover.set(schemes, last_.boundary->grid().dimensions(), last_.setup.seed);
-        mover.advect(q, moved, *last_.velocity, dt, *last_.boundary, pool_);
+        advection.set({schemes, last_.boundary->grid().dimensions(), last_.setup.seed});
+        advection.advect(q, moved, {last_.velocity, last_.boundary, &pool_, dt});
         return moved;
     }
 
@@ -87,6 +90,7 @@ int limiter_map(const LastAdvection& last, FieldId quantity, Pool& pool, Field& 
     }
     flush_denormals();
     marks = Field(q->width(), q->height(), q->site());
+    if (!unexplained(last.setup.schemes(quantity)).empty()) return 0;
     Marker(last, pool, marks).mark(*q, last.setup.schemes(quantity));
     const WallRules walls(*last.boundary, q->site());
     int count = 0;

@@ -10,7 +10,7 @@ namespace whorl {
 /// Nodes that hold another's value, because of a wall, are not marked. Takes the steps in question again with
 /// and without: some two to seven advections of the field.
 /// @param marks gets the shape of the quantity's field
-/// @return how many are marked; 0 and no mark where the quantity is not moved
+/// @return how many are marked; 0 and no mark where the quantity is not moved, or its steps are unexplained
 int limiter_map(const LastAdvection& last, FieldId quantity, Pool& pool, Field& marks);
 
 }  // namespace whorl

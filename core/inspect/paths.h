@@ -16,7 +16,7 @@ struct Departing {
 };
 
 /// By a scheme's own tracer.
-Path path_of(Tracers::Id tracer, const Departing& from);
+Path path_of(const Tracer& tracer, const Departing& from);
 
 /// In many small steps of Runge and Kutta's.
 std::vector<WorldPoint> fine_path(const Departing& from);

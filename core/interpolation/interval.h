@@ -1,11 +1,11 @@
 // The interval of a row of samples in which a point lies.
 #pragma once
 
-#include "core/parallel/lanes.h"
+#include "core/parallel/simd.h"
 
 namespace whorl {
 
-/// Interval [i, i + 1] of samples 0 … last, for one point or for lanes of them. Only schemes whose weights
+/// Interval [i, i + 1] of samples 0 … last, for one point or for a vector of them. Only schemes whose weights
 /// change near walls look at it.
 template <class T>
 struct IntervalOf {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <functional>
 
-#include "core/parallel/lanes.h"
 #include "core/parallel/row_bands.h"
+#include "core/parallel/simd.h"
 
 namespace whorl {
 namespace {
@@ -22,7 +22,7 @@ struct AddCellsLoop {
     template <int>
     WHORL_INLINE static void run(const FaceRows& rows, int count, Real quarter_over_h, FlowSums& sum) {
         constexpr int lanes = 8;
-        using T = RealLanes<lanes * sizeof(Real)>;
+        using T = RealVector<lanes * sizeof(Real)>;
         using Wide __attribute__((vector_size(lanes * sizeof(double)))) = double;
         Wide energy{}, enstrophy{};
         int i = 0;
@@ -33,7 +33,8 @@ struct AddCellsLoop {
                 squares += velocity * velocity;
             }
             energy += squares;
-            const Wide w = __builtin_convertvector(vorticity_at<T>(rows, i, every<T>(quarter_over_h)), Wide);
+            const Wide w =
+                __builtin_convertvector(vorticity_at<T>(rows, i, broadcast<T>(quarter_over_h)), Wide);
             enstrophy += w * w;
         }
         for (int k = 0; k < lanes; ++k) {

@@ -5,8 +5,8 @@
 #include <functional>
 #include <limits>
 
-#include "core/parallel/lanes.h"
 #include "core/parallel/row_bands.h"
+#include "core/parallel/simd.h"
 
 namespace whorl {
 namespace {
@@ -33,8 +33,8 @@ void add_cell(const CellRow& cells, int i, RowSums& row) {
 
 /// The same for as many cells as fill whole vectors, four sums side by side. @return how many
 int add_vectors(const CellRow& cells, int count, RowSums& row) {
-    using T = RealLanes<16>;
-    constexpr int lanes = lane_count<T>;
+    using T = RealVector<16>;
+    constexpr int lanes = vector_width<T>;
     using Wide __attribute__((vector_size(lanes * sizeof(double)))) = double;
     const int end = count - count % lanes;
     if (end == 0) return 0;

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/grid/boundary.h"
-#include "core/parallel/lanes.h"
 #include "core/parallel/pool.h"
+#include "core/parallel/simd.h"
 
 namespace whorl {
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "core/grid/real.h"
+#include "core/base/real.h"
 
 namespace whorl::rows {
 

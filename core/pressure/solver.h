@@ -5,9 +5,9 @@
 #include <span>
 #include <string_view>
 
+#include "core/base/scheme_info.h"
 #include "core/grid/boundary.h"
 #include "core/parallel/pool.h"
-#include "core/schemes/scheme.h"
 
 namespace whorl {
 

@@ -67,6 +67,17 @@ Parameter choice_row(Words words, Group group, Member member) {
     return p;
 }
 
+/// The same for an entry of a registry.
+template <class Entry, class Member>
+Parameter entry_row(Words words, Group group, Member member) {
+    const double last = static_cast<double>(Entry::list().all().size() - 1);
+    Parameter p = row(std::move(words), group, Kind::Choice, {0, last, 0, last});
+    for (const Entry* entry : Entry::list().all()) p.choices.push_back(entry->info);
+    p.get = [member](const Scene& s) { return static_cast<double>(member(const_cast<Scene&>(s)).index()); };
+    p.set = [member](Scene& s, double v) { member(s) = Id<Entry>::at(static_cast<std::size_t>(v)); };
+    return p;
+}
+
 /// Adds a row of a scheme set three times: for both sets, for the velocity's and for the scalars'.
 template <class MakeRow>
 void add_scheme_rows(Table& table, const MakeRow& make) {
@@ -128,18 +139,18 @@ void add_schemes(Table& t) {
     };
     t.push_back(std::move(linked));
     add_scheme_rows(t, [](auto set) {
-        return choice_row<Advectors>(
+        return entry_row<Advector>(
             {"advector", "Advector", "", "How quantities move with the flow.", "thesis ch. 3-4"},
             Group::Schemes, [set](Scene & s) -> auto& { return set(s).advector; });
     });
     add_scheme_rows(t, [](auto set) {
-        return choice_row<Bases>(
+        return entry_row<BaseScheme>(
             {"base", "Base step", "", "The step A that MacCormack and BFECC are built on.",
              "thesis sec. 3.2, 5.5"},
             Group::Schemes, [set](Scene & s) -> auto& { return set(s).base; });
     });
     add_scheme_rows(t, [](auto set) {
-        return choice_row<Interpolations>(
+        return entry_row<Interpolation>(
             {"interpolation", "Interpolation", "", "How a value between nodes is found.",
              "thesis sec. 3.1, app. A"},
             Group::Schemes, [set](Scene & s) -> auto& { return set(s).interpolation; });
@@ -150,18 +161,18 @@ void add_schemes(Table& t) {
                          Group::Schemes, {0, 1, 0, 1}, [set](Scene& s) -> bool& { return set(s).clamped; });
     });
     add_scheme_rows(t, [](auto set) {
-        return choice_row<AxisOrders>(
+        return entry_row<AxisOrder>(
             {"axis-order", "Axis order", "", "Which axis a cubic interpolates along first.",
              "thesis sec. 3.1"},
             Group::Schemes, [set](Scene & s) -> auto& { return set(s).axis_order; });
     });
     add_scheme_rows(t, [](auto set) {
-        return choice_row<Tracers>(
+        return entry_row<Tracer>(
             {"tracer", "Tracer", "", "How departure points are found.", "thesis eq. 3.3-3.5"},
             Group::Schemes, [set](Scene & s) -> auto& { return set(s).tracer; });
     });
     add_scheme_rows(t, [](auto set) {
-        return choice_row<Limiters>(
+        return entry_row<Limiter>(
             {"limiter", "Limiter", "", "What MacCormack, BFECC and ASLAM do about new extrema.",
              "thesis sec. 3.2, eq. 3.8"},
             Group::Schemes, [set](Scene & s) -> auto& { return set(s).limiter; });
@@ -173,12 +184,12 @@ void add_schemes(Table& t) {
                          [set](Scene& s) -> int& { return set(s).zeta; });
     });
     add_scheme_rows(t, [](auto set) {
-        return choice_row<Weights>(
+        return entry_row<WeightKernel>(
             {"weights", "Weights", "", "How much each particle counts.", "thesis eq. 4.4-4.9"},
             Group::Particles, [set](Scene & s) -> auto& { return set(s).weights; });
     });
     add_scheme_rows(t, [](auto set) {
-        return choice_row<Stencils>(
+        return entry_row<StencilShape>(
             {"stencil", "Stencil", "", "Where the particles of a node start.", "thesis table 4.1, fig. 4.2"},
             Group::Particles, [set](Scene & s) -> auto& { return set(s).stencil; });
     });

@@ -13,9 +13,9 @@ constexpr double max_cells = 1 << 23;  // a field of them takes 32 MiB, a run so
 
 std::string conflict_of(const SchemeSet& s, std::string_view what, const Scene& scene) {
     const std::string of = " for the " + std::string(what);
-    const InterpolationTraits interpolation = s.interpolation_traits();
+    const InterpolationTraits interpolation = s.interpolation->traits;
     if (s.affine() && !interpolation.bilinear) {
-        return std::string(s.predictor_corrector() ? s.base.key() : s.advector.key()) +
+        return std::string(s.step_info().key) +
                " takes values and gradients from linear weights (thesis eq. 4.2-4.3), not from " +
                std::string(s.interpolation.key()) + of + "; set interpolation=linear";
     }

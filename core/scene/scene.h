@@ -6,9 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "core/advection/scheme_set.h"
 #include "core/grid/boundary.h"
 #include "core/scene/field_list.h"
-#include "core/schemes/registry.h"
+#include "core/schemes/scheme.h"
 
 namespace whorl {
 

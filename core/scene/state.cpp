@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/interpolation/linear.h"
+#include "core/sampling/cell.h"
 
 namespace whorl {
 namespace {
@@ -103,8 +103,7 @@ Real value_at(const Field& field, const Boundary& boundary, WorldPoint at) {
     };
     const auto [i, x] = place(at.x, offset_x(field.site()), field.width());
     const auto [j, y] = place(at.y, offset_y(field.site()), field.height());
-    return Linear::at(Linear::at(field(i, j), field(i + 1, j), x),
-                      Linear::at(field(i, j + 1), field(i + 1, j + 1), x), y);
+    return lerp(lerp(field(i, j), field(i + 1, j), x), lerp(field(i, j + 1), field(i + 1, j + 1), x), y);
 }
 
 State resample(const State& from, const Scene& scene) {

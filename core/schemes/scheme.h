@@ -5,25 +5,14 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <string>
 #include <string_view>
 #include <tuple>
 #include <type_traits>
 #include <utility>
 
+#include "core/base/scheme_info.h"
+
 namespace whorl {
-
-/// How a scheme is called in files (`key`), on screen (`label`) and in the literature (`source`), and what it
-/// does in a sentence (`help`).
-struct SchemeInfo {
-    std::string_view key;
-    std::string_view label;
-    std::string_view source;
-    std::string_view help;
-};
-
-/// The last of a scheme's sources: where the thesis has it, if it does.
-std::string thesis_part(std::string_view source);
 
 /// A closed list of scheme types, each with a static `info`. The first one is the default.
 template <class... Schemes>

@@ -58,7 +58,9 @@ void take_snapshot(const Lane& lane, Pool& pool, Snapshot& out, const std::optio
     out.watched = node;
     if (!node) return;
     const auto last = simulation.last_advection();
-    if (last && last->from(node->quantity) != nullptr) out.explanation = explained(*last, *node, pool);
+    if (!last || last->from(node->quantity) == nullptr) return;
+    if (unexplained(last->setup.schemes(node->quantity)).empty())
+        out.explanation = explained(*last, *node, pool);
 }
 
 void take_snapshot(const Session& session, const SessionSnapshot& last, Pool& pool, SessionSnapshot& out,

@@ -3,9 +3,9 @@
 
 #include <vector>
 
+#include "core/advection/scheme_set.h"
 #include "core/grid/boundary.h"
 #include "core/scene/field_list.h"
-#include "core/schemes/registry.h"
 
 namespace whorl {
 

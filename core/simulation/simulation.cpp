@@ -54,8 +54,8 @@ void Simulation::set_scene(const Scene& scene) {
         for_advected([&](FieldId id) { next_[id] = state_.boundary.field(id.info().site); });
         exact_ = state_.boundary.field(Site::Centre);
     }
-    velocity_mover_.set(scene.velocity, scene.dimensions, scene.seed);
-    scalars_mover_.set(scene.scalars, scene.dimensions, scene.seed);
+    velocity_advection_.set({scene.velocity, scene.dimensions, scene.seed});
+    scalars_advection_.set({scene.scalars, scene.dimensions, scene.seed});
     projection_.set_solver(scene.pressure, scene.tolerance);
 }
 
@@ -166,13 +166,11 @@ void Simulation::advect() {
         moving_.push_back({&state_.velocity.v, &next_.velocity.v});
     }
     const std::span<const AdvectedField> all = moving_;
-    const bool together = solved && scalars_mover_.schemes() == velocity_mover_.schemes();
-    const auto move = [&](Mover& mover, std::span<const AdvectedField> which) {
-        mover.advect(which, state_.velocity, scene_.dt, state_.boundary, *pool_);
-    };
-    move(scalars_mover_, together ? all : all.first(scalars));
+    const bool together = solved && scalars_advection_.schemes() == velocity_advection_.schemes();
+    const AdvectionStep step{&state_.velocity, &state_.boundary, pool_, scene_.dt};
+    scalars_advection_.advect(together ? all : all.first(scalars), step);
     if (solved) {
-        if (!together) move(velocity_mover_, all.last(2));
+        if (!together) velocity_advection_.advect(all.last(2), step);
         std::swap(state_.velocity, next_.velocity);
         state_.boundary.enforce(state_.velocity);
     }

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "core/advection/advect.h"
+#include "core/advection/advection.h"
 #include "core/experiments/experiment.h"
 #include "core/forces/brush.h"
 #include "core/forces/confinement.h"
@@ -74,7 +74,7 @@ class Simulation {
 
     Projection projection_;
     Confinement confinement_;
-    Mover velocity_mover_, scalars_mover_;
+    Advection velocity_advection_, scalars_advection_;
     std::vector<AdvectedField> moving_;  ///< scalars, u, v; kept for its memory
     Fields next_;
     Field exact_;

@@ -16,18 +16,18 @@ TEST(Advection, AllocatesOnlyInItsFirstStep) {
                                     {&from.velocity.u, &velocity.u},
                                     {&from.velocity.v, &velocity.v}};
     Pool pool(2);
-    for (std::size_t a = 0; a < Advectors::infos.size(); ++a) {
-        for (std::size_t b = 0; b < Bases::infos.size(); ++b) {
-            for (std::size_t s = 0; s < Stencils::infos.size(); ++s) {
+    for (std::size_t a = 0; a < Advector::list().all().size(); ++a) {
+        for (std::size_t b = 0; b < BaseScheme::list().all().size(); ++b) {
+            for (std::size_t s = 0; s < StencilShape::list().all().size(); ++s) {
                 SchemeSet schemes;
-                schemes.advector = Advectors::Id::at(a);
-                schemes.base = Bases::Id::at(b);
-                schemes.stencil = Stencils::Id::at(s);
+                schemes.advector = Id<Advector>::at(a);
+                schemes.base = Id<BaseScheme>::at(b);
+                schemes.stencil = Id<StencilShape>::at(s);
                 schemes.zeta = 1;
-                Mover mover;
+                Advection advection;
                 const auto step = [&] {
-                    mover.set(schemes, 2, 1);
-                    mover.advect(fields, from.velocity, 1, from.boundary, pool);
+                    advection.set({schemes});
+                    advection.advect(fields, {&from.velocity, &from.boundary, &pool, 1});
                 };
                 step();
                 const long before = test::allocations();

@@ -10,9 +10,9 @@ namespace {
 
 TEST(Step, AllocatesNothingOnceSettled) {
     for (const Experiment& e : experiments()) {
-        for (const SchemeInfo& advector : Advectors::infos) {
+        for (const Advector* advector : Advector::list().all()) {
             Scene scene = scene_of(e);
-            set_parameter(scene, "advector", advector.key);
+            set_parameter(scene, "advector", advector->info.key);
             if (scene.dimensions == 2) set_parameter(scene, "resolution=48");
             scene.confinement = 1;
             if (e.flow == nullptr) scene.obstacles = {{.x = 20, .y = 20, .radius = 4}};
@@ -21,7 +21,7 @@ TEST(Step, AllocatesNothingOnceSettled) {
             for (int k = 0; k < 3; ++k) simulation.step();
             const long before = test::allocations();
             for (int k = 0; k < 5; ++k) simulation.step();
-            EXPECT_EQ(test::allocations(), before) << e.info.key << " by " << advector.key;
+            EXPECT_EQ(test::allocations(), before) << e.info.key << " by " << advector->info.key;
         }
     }
 }

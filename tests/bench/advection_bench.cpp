@@ -5,7 +5,7 @@
 #include <cstring>
 #include <numbers>
 
-#include "core/advection/advect.h"
+#include "core/advection/advection.h"
 #include "core/experiments/experiment.h"
 #include "core/scene/parameters.h"
 #include "core/scene/state.h"
@@ -59,13 +59,13 @@ void advection(benchmark::State& run, const Setup& setup) {
     State to = from;
     constexpr double cfl = 2;
     stir(from, cfl, scene.dt);
-    Mover mover;
-    mover.set(scene.scalars, scene.dimensions, scene.seed);
+    Advection advection;
+    advection.set({scene.scalars, scene.dimensions, scene.seed});
     const AdvectedField fields[] = {{&from.density(), &to.density()},
                                     {&from.temperature(), &to.temperature()},
                                     {&from.velocity.u, &to.velocity.u},
                                     {&from.velocity.v, &to.velocity.v}};
-    for (auto _ : run) mover.advect(fields, from.velocity, scene.dt, from.boundary, pool);
+    for (auto _ : run) advection.advect(fields, {&from.velocity, &from.boundary, &pool, scene.dt});
     const double cells = static_cast<double>(run.range(0)) * static_cast<double>(run.range(0));
     run.counters["ns_per_cell"] = benchmark::Counter(
         cells * 1e-9, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);

@@ -5,7 +5,7 @@
 #include <limits>
 #include <random>
 
-#include "core/advection/advect.h"
+#include "core/advection/advection.h"
 
 namespace whorl {
 namespace {
@@ -29,17 +29,17 @@ std::string word(std::string_view key) {
 /// Every advector × interpolation × tracer × limiter that go together, in a box and periodic.
 std::vector<Combination> combinations() {
     std::vector<Combination> all;
-    for (std::size_t a = 0; a < Advectors::infos.size(); ++a) {
-        for (std::size_t i = 0; i < Interpolations::infos.size(); ++i) {
-            for (std::size_t t = 0; t < Tracers::infos.size(); ++t) {
-                for (std::size_t l = 0; l < Limiters::infos.size(); ++l) {
+    for (std::size_t a = 0; a < Advector::list().all().size(); ++a) {
+        for (std::size_t i = 0; i < Interpolation::list().all().size(); ++i) {
+            for (std::size_t t = 0; t < Tracer::list().all().size(); ++t) {
+                for (std::size_t l = 0; l < Limiter::list().all().size(); ++l) {
                     SchemeSet s;
-                    s.advector = Advectors::Id::at(a);
-                    s.interpolation = Interpolations::Id::at(i);
-                    s.tracer = Tracers::Id::at(t);
-                    s.limiter = Limiters::Id::at(l);
+                    s.advector = Id<Advector>::at(a);
+                    s.interpolation = Id<Interpolation>::at(i);
+                    s.tracer = Id<Tracer>::at(t);
+                    s.limiter = Id<Limiter>::at(l);
                     if (s.affine() && i > 0) continue;
-                    if (s.advector == Advectors::of<SemiLagrangian>() && l > 0) continue;
+                    if (!s.advector->traits.limited && l > 0) continue;
                     for (const bool periodic : {false, true}) {
                         all.push_back({s, periodic,
                                        word(s.advector.key()) + "_" + word(s.interpolation.key()) + "_" +
@@ -57,11 +57,11 @@ std::vector<Combination> combinations() {
 std::vector<Combination> stencil_combinations() {
     std::vector<Combination> all;
     const auto add = [&](SchemeSet s, const std::string& name) {
-        for (std::size_t k = 0; k < Stencils::infos.size(); ++k) {
-            for (std::size_t w = 0; w < Weights::infos.size(); ++w) {
+        for (std::size_t k = 0; k < StencilShape::list().all().size(); ++k) {
+            for (std::size_t w = 0; w < WeightKernel::list().all().size(); ++w) {
                 for (int zeta = 0; zeta <= SchemeSet::max_zeta; ++zeta) {
-                    s.stencil = Stencils::Id::at(k);
-                    s.weights = Weights::Id::at(w);
+                    s.stencil = Id<StencilShape>::at(k);
+                    s.weights = Id<WeightKernel>::at(w);
                     s.zeta = zeta;
                     all.push_back({s, true,
                                    name + "_" + word(s.stencil.key()) + "_" + word(s.weights.key()) +
@@ -70,13 +70,13 @@ std::vector<Combination> stencil_combinations() {
             }
         }
     };
-    for (std::size_t a = 0; a < Advectors::infos.size(); ++a) {
+    for (std::size_t a = 0; a < Advector::list().all().size(); ++a) {
         SchemeSet s;
-        s.advector = Advectors::Id::at(a);
+        s.advector = Id<Advector>::at(a);
         if (s.affine()) add(s, word(s.advector.key()));
         if (!s.predictor_corrector()) continue;
-        for (std::size_t b = 0; b < Bases::infos.size(); ++b) {
-            s.base = Bases::Id::at(b);
+        for (std::size_t b = 0; b < BaseScheme::list().all().size(); ++b) {
+            s.base = Id<BaseScheme>::at(b);
             if (s.affine()) add(s, word(s.advector.key()) + "_over_" + word(s.base.key()));
         }
     }
@@ -112,10 +112,10 @@ class AdvectorContract : public testing::TestWithParam<Combination> {
         return velocity;
     }
     Field advected(const Field& q, const FaceVelocity& velocity, double dt) {
-        Mover mover;
-        mover.set(GetParam().schemes, 2, 1);
+        Advection advection;
+        advection.set({GetParam().schemes});
         Field out = boundary.field(q.site());
-        mover.advect(q, out, velocity, dt, boundary, pool);
+        advection.advect(q, out, {&velocity, &boundary, &pool, dt});
         return out;
     }
 };
@@ -132,7 +132,7 @@ TEST_P(AdvectorContract, NoTimeIsTheIdentity) {
     const SchemeSet& s = GetParam().schemes;
     // The scheme itself moves things at rest: ASLAM by its cross difference, the B-spline by approximating.
     const bool moves_at_rest = (s.affine() && s.zeta > 0 && s.expansion() != Expansion::CrossTerm) ||
-                               s.interpolation_traits().approximates;
+                               s.interpolation->traits.approximates;
     if (moves_at_rest) return;  // by its formula
     const Field q = random_field();
     const Field out = advected(q, random_velocity(), 0);
@@ -143,16 +143,15 @@ TEST_P(AdvectorContract, NoTimeIsTheIdentity) {
 
 TEST_P(AdvectorContract, StaysInTheRangeThatItsLimiterPromises) {
     const SchemeSet& s = GetParam().schemes;
-    const bool interpolation_bounds = !s.interpolation_traits().overshoots || s.clamped;
-    const bool clamps =
-        s.limiter == Limiters::of<ClampLimiter>() && s.advector != Advectors::of<SemiLagrangian>();
+    const bool interpolation_bounds = !s.interpolation->traits.overshoots || s.clamped;
+    const bool clamps = s.limiter == Id<Limiter>("clamp") && s.advector != Id<Advector>("semi-lagrangian");
     // Reverting helps as far as the result that it reverts to is bounded.
-    const bool reverts = s.limiter == Limiters::of<RevertLimiter>() && interpolation_bounds &&
-                         s.advector != Advectors::of<SemiLagrangian>() &&
+    const bool reverts = s.limiter == Id<Limiter>("revert") && interpolation_bounds &&
+                         s.advector != Id<Advector>("semi-lagrangian") &&
                          !(s.predictor_corrector() && s.affine());
     const bool bounded = clamps || reverts ||
-                         (s.advector == Advectors::of<SemiLagrangian>() && interpolation_bounds) ||
-                         s.advector == Advectors::of<AslamZero>();
+                         (s.advector == Id<Advector>("semi-lagrangian") && interpolation_bounds) ||
+                         s.advector == Id<Advector>("aslam-0");
     if (!bounded) return;  // nothing is promised
     const Field q = random_field();
     const Field out = advected(q, random_velocity(), 0.4);
@@ -173,8 +172,7 @@ TEST_P(AdvectorContract, StaysInTheRangeThatItsLimiterPromises) {
 
 TEST_P(AdvectorContract, AnyTimeStepIsStable) {
     const SchemeSet& s = GetParam().schemes;
-    const bool unlimited =
-        s.limiter == Limiters::of<NoLimiter>() && s.advector != Advectors::of<SemiLagrangian>();
+    const bool unlimited = s.limiter == Id<Limiter>("none") && s.advector != Id<Advector>("semi-lagrangian");
     if (unlimited) return;  // nothing is promised
     const Field out = advected(random_field(), random_velocity(), 1000);
     for (int j = 0; j < ny; ++j) {
@@ -203,12 +201,12 @@ TEST(LinearSemiLagrangian, KeepsPeriodicMassInUniformFlow) {
     FaceVelocity velocity = boundary.velocity();
     velocity.u.set_all(Real(1.3));
     velocity.v.set_all(Real(-0.7));
-    Mover mover;
-    mover.set(SchemeSet{}, 2, 1);
+    Advection advection;
+    advection.set({});
     constexpr int steps = 50;
     for (int step = 0; step < steps; ++step) {
         Field out = boundary.field(Site::Centre);
-        mover.advect(q, out, velocity, 0.1, boundary, pool);
+        advection.advect(q, out, {&velocity, &boundary, &pool, 0.1});
         q = out;
     }
     double after = 0;

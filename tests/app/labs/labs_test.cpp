@@ -25,10 +25,9 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<Real>::epsilon();
 
-template <class Interpolation>
-IntervalReport of_figure(std::size_t data_set, bool clamped = false) {
+IntervalReport of_figure(std::string_view key, std::size_t data_set, bool clamped = false) {
     const DataSet& data = data_sets()[data_set];
-    return report_on(row_of(data.values), Interpolations::of<Interpolation>(), clamped, data.interval);
+    return report_on(row_of(data.values), Id<Interpolation>(key), clamped, data.interval);
 }
 
 TEST(Labs, CloseFromTheTopDown) {
@@ -54,17 +53,18 @@ TEST(Labs, CloseFromTheTopDown) {
 TEST(InterpolationLab, SaysWhatFigure35Says) {
     // (a): monotone Catmull-Rom has a slight trough, Bridson's cubic undershoots, between 6 and 7.
     EXPECT_EQ(data_sets()[0].interval, 6);
-    EXPECT_GT(of_figure<MonotoneCatmullRom>(0).turned, 0.1);
-    EXPECT_FALSE(of_figure<MonotoneCatmullRom>(0).leaves_range());
-    EXPECT_GT(of_figure<Bridson>(0).below, 0.1);
+    EXPECT_GT(of_figure("monotone-catmull-rom", 0).turned, 0.1);
+    EXPECT_FALSE(of_figure("monotone-catmull-rom", 0).leaves_range());
+    EXPECT_GT(of_figure("bridson", 0).below, 0.1);
     // (b): both overshoot between 5 and 6.
     EXPECT_EQ(data_sets()[1].interval, 5);
-    EXPECT_GT(of_figure<MonotoneCatmullRom>(1).above, 0.001);
-    EXPECT_GT(of_figure<Bridson>(1).above, 0.001);
+    EXPECT_GT(of_figure("monotone-catmull-rom", 1).above, 0.001);
+    EXPECT_GT(of_figure("bridson", 1).above, 0.001);
     // In both, Fritsch and Carlson's neither overshoots nor turns.
     for (const std::size_t set : {0u, 1u}) {
         for (const IntervalReport& report :
-             {of_figure<FritschCarlson>(set), of_figure<FritschCarlsonSquare>(set), of_figure<Linear>(set)})
+             {of_figure("fritsch-carlson", set), of_figure("fritsch-carlson-square", set),
+              of_figure("linear", set)})
             EXPECT_EQ(report.verdict(), "monotone");
     }
     // It interpolates, and the B-spline approximates.
@@ -72,10 +72,10 @@ TEST(InterpolationLab, SaysWhatFigure35Says) {
     const std::array<glm::dvec2, 1> node{glm::dvec2(7, 0)};
     std::array<float, 1> value;
     SchemeSet schemes;
-    schemes.interpolation = Interpolations::of<FritschCarlson>();
+    schemes.interpolation = Id<Interpolation>("fritsch-carlson");
     sample_field(row, schemes, false, node, value);
     EXPECT_EQ(value[0], 15);
-    schemes.interpolation = Interpolations::of<BSpline>();
+    schemes.interpolation = Id<Interpolation>("b-spline");
     sample_field(row, schemes, false, node, value);
     EXPECT_GT(std::abs(value[0] - 15.0f), 1.0f);
 }
@@ -84,9 +84,9 @@ TEST(InterpolationLab, ClampingKeepsTheRange) {
     for (std::size_t set = 0; set < data_sets().size(); ++set) {
         const DataSet& data = data_sets()[set];
         const Field row = row_of(data.values);
-        for (std::size_t k = 0; k < Interpolations::infos.size(); ++k) {
+        for (std::size_t k = 0; k < Interpolation::list().all().size(); ++k) {
             for (int i = 0; i + 1 < row.width(); ++i)
-                EXPECT_FALSE(report_on(row, Interpolations::Id::at(k), true, i).leaves_range());
+                EXPECT_FALSE(report_on(row, Id<Interpolation>::at(k), true, i).leaves_range());
         }
     }
 }
@@ -96,12 +96,12 @@ TEST(InterpolationLab, SlopesAreThoseOfTheThesis) {
     const double alpha = 2.5 / 4.5, beta = 19.75 / 4.5, tau = 3 / std::hypot(alpha, beta);
     // The slopes are 24ths of sums of samples of size 50, times 192, over D.
     const double rounding = 192.0 / 24 * 4 * 50 / 4.5 * epsilon;
-    EXPECT_NEAR(of_figure<MonotoneCatmullRom>(0).alpha, alpha, rounding);
-    EXPECT_NEAR(of_figure<MonotoneCatmullRom>(0).beta, beta, rounding);
-    EXPECT_NEAR(of_figure<FritschCarlson>(0).alpha, tau * alpha, rounding);
-    EXPECT_NEAR(of_figure<FritschCarlson>(0).beta, tau * beta, rounding);
-    EXPECT_NEAR(of_figure<FritschCarlsonSquare>(0).beta, 3, rounding);
-    EXPECT_NEAR(of_figure<Linear>(0).alpha, 1, rounding);
+    EXPECT_NEAR(of_figure("monotone-catmull-rom", 0).alpha, alpha, rounding);
+    EXPECT_NEAR(of_figure("monotone-catmull-rom", 0).beta, beta, rounding);
+    EXPECT_NEAR(of_figure("fritsch-carlson", 0).alpha, tau * alpha, rounding);
+    EXPECT_NEAR(of_figure("fritsch-carlson", 0).beta, tau * beta, rounding);
+    EXPECT_NEAR(of_figure("fritsch-carlson-square", 0).beta, 3, rounding);
+    EXPECT_NEAR(of_figure("linear", 0).alpha, 1, rounding);
 }
 
 TEST(InterpolationLab, RegionsBoundaryIsWhereItEnds) {
@@ -123,9 +123,9 @@ RC_GTEST_PROP(InterpolationLab, ACurveIsMonotoneExactlyWhereItsSlopesLieInTheReg
     for (int k = 0; k < 8; ++k) values.push_back(static_cast<float>(*rc::gen::inRange(-20, 21)));
     const Field row = row_of(values);
     const int i = *rc::gen::inRange(0, 7);
-    for (std::size_t k = 0; k < Interpolations::infos.size(); ++k) {
-        const auto id = Interpolations::Id::at(k);
-        if (id == Interpolations::of<BSpline>()) continue;  // leaves its points' range by approximating
+    for (std::size_t k = 0; k < Interpolation::list().all().size(); ++k) {
+        const auto id = Id<Interpolation>::at(k);
+        if (id == Id<Interpolation>("b-spline")) continue;  // leaves its points' range by approximating
         const IntervalReport report = report_on(row, id, false, i);
         if (report.flat) continue;
         const bool monotone = is_monotone(report.alpha, report.beta);
@@ -137,7 +137,7 @@ RC_GTEST_PROP(InterpolationLab, ACurveIsMonotoneExactlyWhereItsSlopesLieInTheReg
                 clear &= is_monotone(report.alpha + a, report.beta + b) == monotone;
         }
         if (clear) RC_ASSERT((report.verdict() == "monotone") == monotone);
-        if (id == Interpolations::of<FritschCarlson>() || id == Interpolations::of<FritschCarlsonSquare>())
+        if (id == Id<Interpolation>("fritsch-carlson") || id == Id<Interpolation>("fritsch-carlson-square"))
             RC_ASSERT(report.verdict() == "monotone");
     }
 }
@@ -150,20 +150,14 @@ RC_GTEST_PROP(InterpolationLab, CurvesAreTheSchemesOwn, ()) {
     const int part = *rc::gen::inRange(0, 64);
     const std::array<glm::dvec2, 1> place{glm::dvec2(i + part / 64.0, 0)};
     const auto t = static_cast<Real>(part / 64.0);
-    for (std::size_t k = 0; k < Interpolations::infos.size(); ++k) {
+    for (std::size_t k = 0; k < Interpolation::list().all().size(); ++k) {
         SchemeSet schemes;
-        schemes.interpolation = Interpolations::Id::at(k);
+        schemes.interpolation = Id<Interpolation>::at(k);
         std::array<float, 1> value;
         sample_field(row, schemes, false, place, value);
+        const whorl::Interval in{i, row.width() - 1, false};
         const Real expected =
-            Interpolations::dispatch(schemes.interpolation, [&]<class I>(std::type_identity<I>) {
-                if constexpr (TwoSampleInterpolation<I>) {
-                    return I::at(row(i, 0), row(i + 1, 0), t);
-                } else {
-                    const whorl::Interval in{i, row.width() - 1, false};
-                    return I::at(row(i - 1, 0), row(i, 0), row(i + 1, 0), row(i + 2, 0), t, in);
-                }
-            });
+            schemes.interpolation->at({row(i - 1, 0), row(i, 0), row(i + 1, 0), row(i + 2, 0)}, t, in);
         RC_ASSERT(value[0] == static_cast<float>(expected));
     }
 }
@@ -172,21 +166,21 @@ double length(Vec2 offset) {
     return std::hypot(static_cast<double>(offset.x), static_cast<double>(offset.y));
 }
 
-std::size_t particles_in_table_41(Stencils::Id kind, std::size_t zeta, int dimensions) {
-    const std::size_t side = kind == Stencils::of<Subsampling>() ? zeta + 1 : 2 * zeta + 1;
+std::size_t particles_in_table_41(Id<StencilShape> kind, std::size_t zeta, int dimensions) {
+    const std::size_t side = kind == Id<StencilShape>("subsampling") ? zeta + 1 : 2 * zeta + 1;
     if (dimensions == 1) return side;
     // The Delannoy number of 2 and ζ.
-    return kind == Stencils::of<Manhattan>() ? 2 * zeta * zeta + 2 * zeta + 1 : side * side;
+    return kind == Id<StencilShape>("manhattan") ? 2 * zeta * zeta + 2 * zeta + 1 : side * side;
 }
 
 TEST(StencilLab, ParticlesAreThoseOfTable41AndLieOnTheProfile) {
-    for (std::size_t kind = 0; kind < Stencils::infos.size(); ++kind) {
-        for (std::size_t weights = 0; weights < Weights::infos.size(); ++weights) {
+    for (std::size_t kind = 0; kind < StencilShape::list().all().size(); ++kind) {
+        for (std::size_t weights = 0; weights < WeightKernel::list().all().size(); ++weights) {
             for (const int dimensions : {1, 2}) {
                 for (int zeta = 1; zeta <= SchemeSet::max_zeta; ++zeta) {
-                    const auto id = Stencils::Id::at(kind);
-                    const Stencil stencil(id, zeta, Weights::Id::at(weights), dimensions, 7);
-                    const WeightProfile profile(stencil, dimensions, Weights::Id::at(weights));
+                    const auto id = Id<StencilShape>::at(kind);
+                    const Stencil stencil(id, zeta, Id<WeightKernel>::at(weights), dimensions, 7);
+                    const WeightProfile profile(stencil, dimensions, Id<WeightKernel>::at(weights));
                     EXPECT_EQ(stencil.particles().size(),
                               particles_in_table_41(id, static_cast<std::size_t>(zeta), dimensions));
                     double sum = 0;
@@ -204,8 +198,8 @@ TEST(StencilLab, ParticlesAreThoseOfTable41AndLieOnTheProfile) {
 }
 
 TEST(StencilLab, SphWeightsOfACellsCornersAreATenthOfTheNodesAtLeast) {
-    const Stencil stencil(Stencils::of<Chessboard>(), 2, Weights::of<SphWeights>(), 2, 1);
-    const WeightProfile profile(stencil, 2, Weights::of<SphWeights>());
+    const Stencil stencil(Id<StencilShape>("chessboard"), 2, Id<WeightKernel>("sph"), 2, 1);
+    const WeightProfile profile(stencil, 2, Id<WeightKernel>("sph"));
     const double ratio = profile(Stencil::radius(2)) / profile(0);
     EXPECT_NEAR(ratio, std::pow(1 - 1 / (1.5 * 1.5), 3), 1e-12);  // [T 4.7], in doubles
     EXPECT_GE(ratio, 0.1);
@@ -347,7 +341,7 @@ TEST(LabWindows, APointIsDraggedAndAnIntervalChosen) {
     EXPECT_EQ(lab.interval, 1);
     const ControlRect row = places_in(trace.path).at("interpolation-scheme=linear");
     window.click({row.x, row.y});
-    EXPECT_FALSE(lab.shown[Interpolations::of<Linear>().index()]);
+    EXPECT_FALSE(lab.shown[Id<Interpolation>("linear").index()]);
     const ControlRect set = places_in(trace.path).at("interpolation-data=spike");
     window.click({set.x, set.y});
     EXPECT_EQ(lab.values[5], 1);
@@ -361,9 +355,9 @@ TEST(LabWindows, CurvesThatLieOnEachOtherAreAllSeen) {
     lab.open = true;
     lab.shown.fill(false);
     // Of the points that Figure 3.5 shows, in one dimension, these are one cubic.
-    const std::size_t one[] = {Interpolations::of<CatmullRom>().index(),
-                               Interpolations::of<MonotoneCatmullRom>().index(),
-                               Interpolations::of<Bicubic>().index()};
+    const std::size_t one[] = {Id<Interpolation>("catmull-rom").index(),
+                               Id<Interpolation>("monotone-catmull-rom").index(),
+                               Id<Interpolation>("bicubic").index()};
     for (const std::size_t k : one) lab.shown[k] = true;
     for (int frame = 0; frame < 3; ++frame) window.frame();
     const ControlRect card = places_in(trace.path).at("interpolation-inset");
@@ -385,13 +379,13 @@ TEST(LabWindows, CurvesThatLieOnEachOtherAreAllSeen) {
         const auto seen = std::count_if(on_top.begin(), on_top.end(), [&](const auto& place) {
             return place.second == interpolation_colour(ui.theme, k);
         });
-        EXPECT_GE(seen * 8, static_cast<long>(on_top.size())) << Interpolations::infos[k].key;
+        EXPECT_GE(seen * 8, static_cast<long>(on_top.size())) << Id<Interpolation>::at(k).key();
     }
 }
 
 TEST(LabWindows, EveryInterpolationHasAColourOfItsOwn) {
     HeadlessUi ui(100, 100, 1);
-    for (std::size_t a = 0; a < Interpolations::infos.size(); ++a) {
+    for (std::size_t a = 0; a < Interpolation::list().all().size(); ++a) {
         for (std::size_t b = 0; b < a; ++b)
             EXPECT_NE(interpolation_colour(ui.theme, a), interpolation_colour(ui.theme, b));
     }

@@ -67,7 +67,7 @@ SliceLine any_line() {
 
 SchemeSet by_interpolation(std::size_t k) {
     SchemeSet schemes;
-    schemes.interpolation = Interpolations::Id::at(k);
+    schemes.interpolation = Id<Interpolation>::at(k);
     return schemes;
 }
 
@@ -81,7 +81,7 @@ TEST(Slice, ARowsDotsAreItsCellsAndCurvesPassThroughThem) {
             const SliceLine line = vertical ? SliceLine::column(7.3 / 12) : SliceLine::row(4.9 / 9);
             const SliceCurve cells = cells_along(lane.density(), lane, line);
             ASSERT_EQ(cells.y.size(), vertical ? 9u : 12u);
-            for (std::size_t scheme = 0; scheme < Interpolations::infos.size(); ++scheme) {
+            for (std::size_t scheme = 0; scheme < Interpolation::list().all().size(); ++scheme) {
                 const SchemeSet schemes = by_interpolation(scheme);
                 const SliceCurve curve = curve_along(filled, lane, line, schemes, 8);
                 EXPECT_EQ(curve.x.front(), 0);
@@ -97,7 +97,7 @@ TEST(Slice, ARowsDotsAreItsCellsAndCurvesPassThroughThem) {
                     EXPECT_EQ(std::isnan(value), solid);
                     if (solid) continue;
                     EXPECT_EQ(cells.y[k], vertical ? lane.density()(across, at) : lane.density()(at, across));
-                    const bool interpolates = schemes.interpolation != Interpolations::of<BSpline>();
+                    const bool interpolates = schemes.interpolation != Id<Interpolation>("b-spline");
                     EXPECT_EQ(value == cells.y[k], interpolates);
                 }
             }
@@ -128,7 +128,7 @@ TEST(Slice, ALineThatAllButRunsAlongARowHasTheRowsValues) {
         const SliceLine tilted = between({0.5, 2 - tilt}, {9, 2 + tilt});
         EXPECT_FALSE(tilted.horizontal());
         EXPECT_TRUE(cells_along(lane.density(), lane, tilted).y.empty()) << "no centre lies on it";
-        for (std::size_t scheme = 0; scheme < Interpolations::infos.size(); ++scheme) {
+        for (std::size_t scheme = 0; scheme < Interpolation::list().all().size(); ++scheme) {
             const SliceCurve along = curve_along(filled, lane, row, by_interpolation(scheme), 8);
             const SliceCurve oblique = curve_along(filled, lane, tilted, by_interpolation(scheme), 8);
             // The field is within 1 and the slopes of every interpolation within 3 differences of cells.
@@ -138,7 +138,7 @@ TEST(Slice, ALineThatAllButRunsAlongARowHasTheRowsValues) {
                 ASSERT_NE(near, oblique.x.end());
                 ASSERT_NEAR(*near, along.x[k], 1e-4);
                 const float value = oblique.y[static_cast<std::size_t>(near - oblique.x.begin())];
-                EXPECT_NEAR(value, along.y[k], 2 * most) << Interpolations::infos[scheme].key << ' ' << k;
+                EXPECT_NEAR(value, along.y[k], 2 * most) << Id<Interpolation>::at(scheme).key() << ' ' << k;
             }
         }
     }
@@ -160,7 +160,7 @@ RC_GTEST_PROP(Slice, EveryInterpolationIsExactOnALinearField, ()) {
     if (*rc::gen::arbitrary<bool>()) std::swap(from, to);
     const SliceLine line = between(from, to);
     const GridLine placed = place_line(line, lane.grid());
-    for (std::size_t scheme = 0; scheme < Interpolations::infos.size(); ++scheme) {
+    for (std::size_t scheme = 0; scheme < Interpolation::list().all().size(); ++scheme) {
         const SliceCurve curve = curve_along(filled, lane, line, by_interpolation(scheme), 5);
         for (std::size_t k = 0; k < curve.x.size(); ++k) {
             const glm::dvec2 at = placed.at(static_cast<double>(curve.x[k]) / placed.length());

@@ -14,9 +14,9 @@ const Domain domains[] = {{{67, 21, 0.5}, Sides::of<Box>()},
 /// A CFL number at which some lanes read in a row and others do not.
 constexpr double cfl = 3.3;
 
-template <class List, class F>
+template <class Entry, class F>
 void for_each(F&& f) {
-    for (std::size_t k = 0; k < List::infos.size(); ++k) f(List::Id::at(k));
+    for (const Entry* entry : Entry::list().all()) f(Id<Entry>(*entry));
 }
 
 void expect_same_on_every_isa(const SchemeSet& schemes) {
@@ -32,8 +32,8 @@ void expect_same_on_every_isa(const SchemeSet& schemes) {
 }
 
 TEST(InstructionSets, AgreeOnEveryInterpolation) {
-    for_each<Interpolations>([](Interpolations::Id interpolation) {
-        for_each<AxisOrders>([&](AxisOrders::Id order) {
+    for_each<Interpolation>([](Id<Interpolation> interpolation) {
+        for_each<AxisOrder>([&](Id<AxisOrder> order) {
             for (const bool clamped : {false, true}) {
                 SchemeSet schemes;
                 schemes.interpolation = interpolation;
@@ -46,11 +46,11 @@ TEST(InstructionSets, AgreeOnEveryInterpolation) {
 }
 
 TEST(InstructionSets, AgreeOnEveryTracerAndLimiter) {
-    for_each<Tracers>([](Tracers::Id tracer) {
-        for_each<Limiters>([&](Limiters::Id limiter) {
+    for_each<Tracer>([](Id<Tracer> tracer) {
+        for_each<Limiter>([&](Id<Limiter> limiter) {
             SchemeSet schemes;
-            schemes.advector = Advectors::of<MacCormack>();
-            schemes.interpolation = Interpolations::of<CatmullRom>();
+            schemes.advector = Id<Advector>("maccormack");
+            schemes.interpolation = Id<Interpolation>("catmull-rom");
             schemes.tracer = tracer;
             schemes.limiter = limiter;
             expect_same_on_every_isa(schemes);
@@ -59,11 +59,11 @@ TEST(InstructionSets, AgreeOnEveryTracerAndLimiter) {
 }
 
 TEST(InstructionSets, AgreeOnEveryAdvectorAndStencil) {
-    for_each<Advectors>([](Advectors::Id advector) {
-        for_each<Stencils>([&](Stencils::Id stencil) {
+    for_each<Advector>([](Id<Advector> advector) {
+        for_each<StencilShape>([&](Id<StencilShape> stencil) {
             SchemeSet schemes;
             schemes.advector = advector;
-            schemes.base = Bases::of<AslamClamped>();
+            schemes.base = Id<BaseScheme>("aslam-clamped");
             schemes.stencil = stencil;
             expect_same_on_every_isa(schemes);
         });
@@ -71,8 +71,8 @@ TEST(InstructionSets, AgreeOnEveryAdvectorAndStencil) {
 }
 
 TEST(AdvectionThreads, DoNotChangeABit) {
-    for_each<Advectors>([](Advectors::Id advector) {
-        for_each<Bases>([&](Bases::Id base) {
+    for_each<Advector>([](Id<Advector> advector) {
+        for_each<BaseScheme>([&](Id<BaseScheme> base) {
             SchemeSet schemes;
             schemes.advector = advector;
             schemes.base = base;

@@ -11,20 +11,20 @@ namespace {
 /// and gradients carry that into the sum.
 constexpr double tolerance = 256 * static_cast<double>(std::numeric_limits<Real>::epsilon());
 
-SchemeSet affine(Advectors::Id advector, Stencils::Id stencil, int zeta) {
+SchemeSet affine(Id<Advector> advector, Id<StencilShape> stencil, int zeta) {
     SchemeSet s;
     s.advector = advector;
     s.stencil = stencil;
     s.zeta = zeta;
     // A clamp may turn a rounding error at the border of two cells into a step; it is compared where none is.
-    s.limiter = Limiters::of<NoLimiter>();
+    s.limiter = Id<Limiter>("none");
     return s;
 }
 
-constexpr Advectors::Id advectors[] = {Advectors::of<Aslam>(), Advectors::of<AslamZero>(),
-                                       Advectors::of<AslamBilinear>()};
-constexpr Stencils::Id stencils[] = {Stencils::of<Chessboard>(), Stencils::of<Manhattan>(),
-                                     Stencils::of<Subsampling>()};
+const Id<Advector> advectors[] = {Id<Advector>("aslam"), Id<Advector>("aslam-0"),
+                                  Id<Advector>("aslam-bilinear")};
+const Id<StencilShape> stencils[] = {Id<StencilShape>("chessboard"), Id<StencilShape>("manhattan"),
+                                     Id<StencilShape>("subsampling")};
 
 std::string named(const SchemeSet& s) {
     return std::string(s.advector.key()) + " " + std::string(s.stencil.key()) + " " + std::to_string(s.zeta);
@@ -86,15 +86,16 @@ RC_GTEST_PROP(Lattice, EqualsThePlainFormOnAnyGrid, ()) {
 
 /// Clamps, and the predictor-correctors that use the lattice as their step.
 TEST(Lattice, ServesEveryAdvector) {
-    for (const auto base : {Bases::of<Aslam>(), Bases::of<AslamClamped>(), Bases::of<AslamBilinear>()}) {
-        for (const auto advector : {Advectors::of<MacCormack>(), Advectors::of<Bfecc>()}) {
+    for (const auto base :
+         {Id<BaseScheme>("aslam"), Id<BaseScheme>("aslam-clamped"), Id<BaseScheme>("aslam-bilinear")}) {
+        for (const auto advector : {Id<Advector>("maccormack"), Id<Advector>("bfecc")}) {
             SchemeSet schemes = affine(advector, stencils[0], 2);
             schemes.base = base;
             expect_equal_nearly_everywhere(schemes, {{41, 33, 1}, Sides::of<Box>()}, 1.1);
         }
     }
     SchemeSet clamped = affine(advectors[0], stencils[0], 2);
-    clamped.limiter = Limiters::of<ClampLimiter>();
+    clamped.limiter = Id<Limiter>("clamp");
     expect_equal_nearly_everywhere(clamped, {{41, 33, 1}, Sides::of<Periodic>()}, 1.1);
 }
 
@@ -111,8 +112,8 @@ TEST(Lattice, KeepsAConstant) {
 }
 
 TEST(Lattice, IsTheCoarsestThatFits) {
-    const auto per_cell = [](Stencils::Id kind, int zeta, int dimensions) {
-        const Stencil stencil(kind, zeta, Weights::Id{}, dimensions, 1);
+    const auto per_cell = [](Id<StencilShape> kind, int zeta, int dimensions) {
+        const Stencil stencil(kind, zeta, Id<WeightKernel>{}, dimensions, 1);
         const auto lattice = Lattice::of(stencil.particles());
         return lattice ? lattice->per_cell() : 0;
     };
@@ -120,7 +121,7 @@ TEST(Lattice, IsTheCoarsestThatFits) {
     EXPECT_EQ(per_cell(stencils[0], 4, 2), 8);
     EXPECT_EQ(per_cell(stencils[1], 2, 2), 4);
     EXPECT_EQ(per_cell(stencils[2], 3, 2), 4);
-    EXPECT_EQ(per_cell(Stencils::of<Jittered>(), 2, 2), 0);
+    EXPECT_EQ(per_cell(Id<StencilShape>("jittered"), 2, 2), 0);
     EXPECT_EQ(per_cell(stencils[0], 0, 2), 0);
     EXPECT_EQ(per_cell(stencils[0], 2, 1), 0);
 }

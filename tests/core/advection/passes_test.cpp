@@ -1,8 +1,7 @@
 // Any number of fields advect together as each does alone; a scheme's own function is what is called.
 #include <gtest/gtest.h>
 
-#include "core/advection/sampling_loops.h"
-#include "core/advection/stencil.h"
+#include "core/interpolation/make_interpolation.h"
 #include "tests/core/advection/scheme_step.h"
 
 namespace whorl {
@@ -11,11 +10,12 @@ namespace {
 TEST(Passes, MoveAnyNumberOfFieldsAsEachAlone) {
     const Stirred from({{40, 33, 1}, Sides::of<Box>(), true}, 1.6);
     Pool pool(2);
-    for (std::size_t a = 0; a < Advectors::infos.size(); ++a) {
+    const AdvectionStep step{&from.velocity, &from.boundary, &pool, 1};
+    for (std::size_t a = 0; a < Advector::list().all().size(); ++a) {
         SchemeSet schemes;
-        schemes.advector = Advectors::Id::at(a);
-        Mover mover;
-        mover.set(schemes, 2, 1);
+        schemes.advector = Id<Advector>::at(a);
+        Advection advection;
+        advection.set({schemes});
         std::vector<Field> before, together;
         for (int k = 0; k < 7; ++k) {
             before.push_back(k % 2 == 0 ? from.density : from.temperature);
@@ -28,9 +28,8 @@ TEST(Passes, MoveAnyNumberOfFieldsAsEachAlone) {
         Moved alone = together;
         std::vector<AdvectedField> fields;
         for (std::size_t k = 0; k < before.size(); ++k) fields.push_back({&before[k], &together[k]});
-        mover.advect(fields, from.velocity, 1, from.boundary, pool);
-        for (std::size_t k = 0; k < before.size(); ++k)
-            mover.advect(before[k], alone[k], from.velocity, 1, from.boundary, pool);
+        advection.advect(fields, step);
+        for (std::size_t k = 0; k < before.size(); ++k) advection.advect(before[k], alone[k], step);
         EXPECT_EQ(difference(together, alone), 0) << schemes.advector.key();
     }
 }
@@ -48,7 +47,7 @@ struct Overshooting {
 
 template <bool x_first, bool clamped>
 Real sampled(const Field& q, Real x, Real y) {
-    Places at{};
+    CellPositions at{};
     at.at[0] = q.stride() + 1;
     at.i[0] = at.j[0] = 1;
     at.x[0] = x;

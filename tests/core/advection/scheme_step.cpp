@@ -46,33 +46,18 @@ Moved move(const SchemeSet& schemes, const Stirred& from, const Ways& ways, int 
     const Boundary& boundary = from.boundary;
     Moved to{boundary.field(Site::Centre), boundary.field(Site::Centre), boundary.field(Site::FaceX),
              boundary.field(Site::FaceY)};
-    const Stencil stencil(schemes.stencil, schemes.zeta, schemes.weights, boundary.grid().dimensions(), 1);
-    std::optional<Lattice> lattice;
-    if (ways.lattice && schemes.affine()) lattice = Lattice::of(stencil.particles());
-    std::vector<LatticeTile> tiles(static_cast<std::size_t>(ways.threads));
-    if (lattice) {
-        for (LatticeTile& tile : tiles) tile.shape(*lattice, static_cast<int>(to.size()));
-    }
+    Advection advection;
+    advection.set({.schemes = schemes,
+                   .dimensions = boundary.grid().dimensions(),
+                   .isa = ways.isa,
+                   .shares_particles = ways.lattice});
     Pool pool(ways.threads);
-    const Step step{.kernels = choose_kernels(schemes, boundary.periodic(), ways.isa),
-                    .particles = stencil.particles(),
-                    .lattice = lattice ? &*lattice : nullptr,
-                    .tiles = tiles,
-                    .velocity = &from.velocity,
-                    .boundary = &boundary,
-                    .pool = &pool,
-                    .dt = static_cast<Real>(1 / boundary.grid().h)};
-    Group groups[3];
-    groups[0].add(from.density, to[0]);
-    groups[0].add(from.temperature, to[1]);
-    groups[1].add(from.velocity.u, to[2]);
-    groups[2].add(from.velocity.v, to[3]);
-    std::array<Workspace, max_groups> work;
-    for (int k = 0; k < steps; ++k) {
-        Advectors::dispatch(schemes.advector, [&]<class Advector>(std::type_identity<Advector>) {
-            Advector::advect(step, groups, work);
-        });
-    }
+    const AdvectedField fields[] = {{&from.density, &to[0]},
+                                    {&from.temperature, &to[1]},
+                                    {&from.velocity.u, &to[2]},
+                                    {&from.velocity.v, &to[3]}};
+    const AdvectionStep step{&from.velocity, &boundary, &pool, 1};
+    for (int k = 0; k < steps; ++k) advection.advect(fields, step);
     return to;
 }
 

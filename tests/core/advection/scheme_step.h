@@ -1,9 +1,10 @@
-// One step of a set of schemes over stirred fields, with the choices that Mover makes left to the test.
+// One step of a set of schemes over stirred fields, with the choices that an Advection makes left to the
+// test.
 #pragma once
 
 #include <vector>
 
-#include "core/advection/advect.h"
+#include "core/advection/advection.h"
 
 namespace whorl {
 

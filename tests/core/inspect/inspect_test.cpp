@@ -8,7 +8,7 @@
 #include <limits>
 #include <random>
 
-#include "core/advection/advect.h"
+#include "core/advection/advection.h"
 #include "core/base/error.h"
 #include "core/inspect/explain.h"
 #include "core/inspect/limiter_map.h"
@@ -65,14 +65,14 @@ struct Step1 {
         next_velocity = boundary.velocity();
         next_density = next_temperature = boundary.field(Site::Centre);
         setup = {schemes, schemes, 1, seed};
-        Mover mover;
-        mover.set(schemes, grid.dimensions(), seed);
+        Advection advection;
+        advection.set({schemes, grid.dimensions(), seed});
         const AdvectedField fields[] = {{&density, &next_density},
                                         {&temperature, &next_temperature},
                                         {&velocity.u, &next_velocity.u},
                                         {&velocity.v, &next_velocity.v}};
         Pool pool(1);
-        mover.advect(fields, velocity, setup.dt, boundary, pool);
+        advection.advect(fields, {&velocity, &boundary, &pool, setup.dt});
         boundary.enforce(next_velocity);
     }
     LastAdvection last() const {
@@ -84,23 +84,23 @@ struct Step1 {
     }
 };
 
-template <class List>
-typename List::Id any() {
-    return List::Id::at(*rc::gen::inRange<std::size_t>(0, List::infos.size()));
+template <class Entry>
+Id<Entry> any() {
+    return Id<Entry>::at(*rc::gen::inRange<std::size_t>(0, Entry::list().all().size()));
 }
 
 SchemeSet any_schemes() {
     SchemeSet s;
-    s.advector = any<Advectors>();
-    s.base = any<Bases>();
-    s.interpolation = s.affine() ? Interpolations::of<Linear>() : any<Interpolations>();
+    s.advector = any<Advector>();
+    s.base = any<BaseScheme>();
+    s.interpolation = s.affine() ? Id<Interpolation>("linear") : any<Interpolation>();
     s.clamped = *rc::gen::arbitrary<bool>();
-    s.axis_order = any<AxisOrders>();
-    s.tracer = any<Tracers>();
-    s.stencil = any<Stencils>();
+    s.axis_order = any<AxisOrder>();
+    s.tracer = any<Tracer>();
+    s.stencil = any<StencilShape>();
     s.zeta = *rc::gen::inRange(0, SchemeSet::max_zeta + 1);
-    s.weights = any<Weights>();
-    s.limiter = any<Limiters>();
+    s.weights = any<WeightKernel>();
+    s.limiter = any<Limiter>();
     return s;
 }
 
@@ -248,7 +248,7 @@ RC_GTEST_PROP(Inspect, DrawsThePlacesThatAreRead, ()) {
 
 TEST(Inspect, WaysOfTracersAreThose) {
     SchemeSet schemes;
-    schemes.tracer = Tracers::of<Rk4>();
+    schemes.tracer = Id<Tracer>("rk4");
     const Step1 step({20, 20, 0.5}, Sides::of<Periodic>(), schemes, 0, 0.4, 3);
     Pool pool(1);
     const Explanation e = explain(step.last(), field::density, 9, 9, pool);
@@ -266,7 +266,7 @@ TEST(Inspect, WaysOfTracersAreThose) {
 
 TEST(Inspect, ShowsSlopesThatFritschCarlsonLimits) {
     SchemeSet schemes;
-    schemes.interpolation = Interpolations::of<FritschCarlson>();
+    schemes.interpolation = Id<Interpolation>("fritsch-carlson");
     Step1 step({8, 1, 1}, Sides::of<Periodic>(), schemes, 0, 0, 1);
     // A foot and a step: δ_i = 2.5, D = 0.5.  [T 3.13–3.14]
     const Real samples[] = {0, 0, 4.5F, 5, 10, 10, 10, 0};
@@ -290,8 +290,8 @@ TEST(Inspect, ShowsSlopesThatFritschCarlsonLimits) {
 TEST(Inspect, NamesTheEquationsOfTheThesis) {
     const auto sum = [](const char* advector, const char* base = "semi-lagrangian", int rows = 9) {
         SchemeSet schemes;
-        schemes.advector = *Advectors::find(advector);
-        schemes.base = *Bases::find(base);
+        schemes.advector = Id<Advector>(advector);
+        schemes.base = Id<BaseScheme>(base);
         const Step1 step({9, rows, 1}, Sides::of<Periodic>(), schemes, 0, 0.5, 3);
         Pool pool(1);
         return explain(step.last(), field::density, 4, rows / 2, pool).sum;
@@ -322,7 +322,7 @@ TEST(Inspect, NamesTheEquationsOfTheThesis) {
 TEST(Inspect, NamesTheSourceOfEachLimitOfSlopes) {
     const auto told = [](const char* interpolation) {
         SchemeSet schemes;
-        schemes.interpolation = *Interpolations::find(interpolation);
+        schemes.interpolation = Id<Interpolation>(interpolation);
         Step1 step({8, 1, 1}, Sides::of<Periodic>(), schemes, 0, 0, 1);
         // A dent beside a steep step: δ_i has the wrong sign, δ_{i+1} is beyond 3 D.
         const Real samples[] = {0, 2, 1, 1.5F, 10, 10, 10, 0};
@@ -471,7 +471,7 @@ TEST(Inspect, SaysNothingOfFieldsThatWereChangedSince) {
 
 TEST(Inspect, WritesTheSumAsText) {
     SchemeSet schemes;
-    schemes.advector = Advectors::of<MacCormack>();
+    schemes.advector = Id<Advector>("maccormack");
     const Step1 step({9, 7, 1}, Sides::of<Periodic>(), schemes, 0, 0.8, 3);
     Pool pool(1);
     const std::string text = write_text(explain(step.last(), field::density, 4, 3, pool));

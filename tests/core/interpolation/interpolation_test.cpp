@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/schemes/registry.h"
+#include "core/interpolation/interpolation.h"
 
 namespace whorl {
 namespace {
@@ -14,65 +14,59 @@ namespace {
 constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
 constexpr Interval inside{5, 20, true};
 
+const Interpolation& scheme(std::string_view key) {
+    return Interpolation::list().find(key);
+}
+
 /// Any scheme at t between samples 1 and 2 of four.
-template <class I>
-Real at(const Real (&q)[4], Real t) {
-    if constexpr (TwoSampleInterpolation<I>) {
-        return I::at(q[1], q[2], t);
-    } else {
-        return I::at(q[0], q[1], q[2], q[3], t, inside);
-    }
+Real at(const Interpolation& scheme, const std::array<Real, 4>& q, Real t) {
+    return scheme.at(q, t, inside);
 }
 
 template <class F>
 void for_each_interpolation(F&& f) {
-    for (std::size_t k = 0; k < Interpolations::infos.size(); ++k) {
-        Interpolations::dispatch(Interpolations::Id::at(k), [&]<class I>(std::type_identity<I> scheme) {
-            SCOPED_TRACE(std::string(I::info.key));
-            f(scheme);
-        });
+    for (const Interpolation* each : Interpolation::list().all()) {
+        SCOPED_TRACE(std::string(each->info.key));
+        f(*each);
     }
 }
 
 TEST(Interpolation, ReproducesItsNodesUnlessItApproximates) {
-    for_each_interpolation([]<class I>(std::type_identity<I>) {
-        const Real q[4] = {3, -1, 4, 1.5};
-        if (I::traits.approximates) {
-            EXPECT_GT(std::abs(at<I>(q, 0) - q[1]), 0.1);
+    for_each_interpolation([](const Interpolation& each) {
+        const std::array<Real, 4> q = {3, -1, 4, 1.5};
+        if (each.traits.approximates) {
+            EXPECT_GT(std::abs(at(each, q, 0) - q[1]), 0.1);
             return;
         }
-        EXPECT_NEAR(at<I>(q, 0), q[1], 8 * epsilon);
-        EXPECT_NEAR(at<I>(q, 1), q[2], 16 * epsilon);
+        EXPECT_NEAR(at(each, q, 0), q[1], 8 * epsilon);
+        EXPECT_NEAR(at(each, q, 1), q[2], 16 * epsilon);
     });
 }
 
 TEST(Interpolation, ReproducesLines) {
-    for_each_interpolation([]<class I>(std::type_identity<I>) {
-        const Real q[4] = {-1, 1, 3, 5};
+    for_each_interpolation([](const Interpolation& each) {
+        const std::array<Real, 4> q = {-1, 1, 3, 5};
         for (int k = 0; k <= 10; ++k) {
             const Real t = Real(k) / 10;
-            EXPECT_NEAR(at<I>(q, t), 1 + 2 * t, 32 * epsilon) << "t = " << t;
+            EXPECT_NEAR(at(each, q, t), 1 + 2 * t, 32 * epsilon) << "t = " << t;
         }
     });
 }
 
 /// The order that each scheme's docstring states, measured in double's place by a difference that dwarfs
 /// rounding.
-double measured_order(Interpolations::Id id) {
+double measured_order(const Interpolation& each) {
     const auto worst = [&](int n) {
         double error = 0;
         const double h = 1.0 / n;
         // Where the function is monotone and its slope is not small, so that no limiter acts.
         for (int i = n / 8; i < 3 * n / 8; ++i) {
             const auto f = [](double x) { return std::sin(2 * std::numbers::pi * (x - 0.25)); };
-            const Real q[4] = {Real(f((i - 1) * h)), Real(f(i * h)), Real(f((i + 1) * h)),
-                               Real(f((i + 2) * h))};
+            const std::array<Real, 4> q = {Real(f((i - 1) * h)), Real(f(i * h)), Real(f((i + 1) * h)),
+                                           Real(f((i + 2) * h))};
             for (int k = 1; k < 8; ++k) {
                 const double t = k / 8.0;
-                Interpolations::dispatch(id, [&]<class I>(std::type_identity<I>) {
-                    error =
-                        std::max(error, std::abs(static_cast<double>(at<I>(q, Real(t))) - f((i + t) * h)));
-                });
+                error = std::max(error, std::abs(static_cast<double>(at(each, q, Real(t))) - f((i + t) * h)));
             }
         }
         return error;
@@ -82,18 +76,15 @@ double measured_order(Interpolations::Id id) {
 
 TEST(Interpolation, HasTheOrderItStates) {
     const double slack = 0.25;  // two grids of 16 and 32 are not yet the limit
-    for_each_interpolation([slack]<class I>(std::type_identity<I>) {
-        const Interpolations::Id id = Interpolations::of<I>();
-        EXPECT_NEAR(measured_order(id), I::traits.order, slack);
-    });
+    for_each_interpolation(
+        [slack](const Interpolation& each) { EXPECT_NEAR(measured_order(each), each.traits.order, slack); });
 }
 
 /// [T fig 3.5]  The values on one interval of some data, at 1001 points.
-template <class I>
-std::vector<double> curve_on(const std::vector<double>& y, std::size_t left) {
-    const Real q[4] = {Real(y[left - 1]), Real(y[left]), Real(y[left + 1]), Real(y[left + 2])};
+std::vector<double> curve_on(std::string_view key, const std::vector<double>& y, std::size_t left) {
+    const std::array<Real, 4> q = {Real(y[left - 1]), Real(y[left]), Real(y[left + 1]), Real(y[left + 2])};
     std::vector<double> curve;
-    for (int k = 0; k <= 1000; ++k) curve.push_back(static_cast<double>(at<I>(q, Real(k) / 1000)));
+    for (int k = 0; k <= 1000; ++k) curve.push_back(static_cast<double>(at(scheme(key), q, Real(k) / 1000)));
     return curve;
 }
 
@@ -110,10 +101,10 @@ double largest_fall(const std::vector<double>& curve) {
 TEST(Figure35, MonotoneCatmullRomDipsWhereFritschCarlsonDoesNot) {
     const std::vector<double> akima{10, 10, 10, 10, 10, 10, 10.5, 15, 50, 60, 85};
     const double rounding = 100 * static_cast<double>(epsilon);
-    EXPECT_GT(largest_fall(curve_on<MonotoneCatmullRom>(akima, 6)), 0.01);
-    EXPECT_GT(largest_fall(curve_on<Bridson>(akima, 6)), 0.01);
-    EXPECT_LE(largest_fall(curve_on<FritschCarlson>(akima, 6)), rounding);
-    EXPECT_LE(largest_fall(curve_on<FritschCarlsonSquare>(akima, 6)), rounding);
+    EXPECT_GT(largest_fall(curve_on("monotone-catmull-rom", akima, 6)), 0.01);
+    EXPECT_GT(largest_fall(curve_on("bridson", akima, 6)), 0.01);
+    EXPECT_LE(largest_fall(curve_on("fritsch-carlson", akima, 6)), rounding);
+    EXPECT_LE(largest_fall(curve_on("fritsch-carlson-square", akima, 6)), rounding);
 }
 
 TEST(Figure35, MonotoneCatmullRomOvershootsWhereFritschCarlsonDoesNot) {
@@ -123,10 +114,10 @@ TEST(Figure35, MonotoneCatmullRomOvershootsWhereFritschCarlsonDoesNot) {
         return *std::max_element(curve.begin(), curve.end());
     };
     const double rounding = 8 * static_cast<double>(epsilon);
-    EXPECT_GT(highest(curve_on<MonotoneCatmullRom>(steep, 5)), 0.998636 + 0.0005);
-    EXPECT_GT(highest(curve_on<Bridson>(steep, 5)), 0.998636 + 0.0005);
-    EXPECT_LE(highest(curve_on<FritschCarlson>(steep, 5)), 0.998636 + rounding);
-    EXPECT_LE(highest(curve_on<FritschCarlsonSquare>(steep, 5)), 0.998636 + rounding);
+    EXPECT_GT(highest(curve_on("monotone-catmull-rom", steep, 5)), 0.998636 + 0.0005);
+    EXPECT_GT(highest(curve_on("bridson", steep, 5)), 0.998636 + 0.0005);
+    EXPECT_LE(highest(curve_on("fritsch-carlson", steep, 5)), 0.998636 + rounding);
+    EXPECT_LE(highest(curve_on("fritsch-carlson-square", steep, 5)), 0.998636 + rounding);
 }
 
 /// A sample of ordinary size: the squares of slopes must not underflow.
@@ -134,44 +125,44 @@ Real sample() {
     return static_cast<Real>(*rc::gen::inRange(-1000000, 1000001)) / 1000;
 }
 
-template <class I>
-void stays_in_its_interval() {
+void stays_in_its_interval(std::string_view key) {
     // Slopes of any size and sign: the outer samples set them.
     const Real q0 = sample();
     const Real q1 = *rc::gen::element(q0, sample(), q0 + sample() / 1000);
-    const Real q[4] = {sample(), q0, q1, sample()};
+    const std::array<Real, 4> q = {sample(), q0, q1, sample()};
     const Real rounding =
         32 * epsilon * std::max({std::abs(q[0]), std::abs(q0), std::abs(q1), std::abs(q[3])});
     for (int k = 0; k <= 64; ++k) {
-        const Real value = at<I>(q, Real(k) / 64);
+        const Real value = at(scheme(key), q, Real(k) / 64);
         RC_ASSERT(value >= std::min(q0, q1) - rounding);
         RC_ASSERT(value <= std::max(q0, q1) + rounding);
     }
 }
 
 RC_GTEST_PROP(FritschCarlson, NeverLeavesItsInterval, ()) {
-    stays_in_its_interval<FritschCarlson>();
+    stays_in_its_interval("fritsch-carlson");
 }
 RC_GTEST_PROP(FritschCarlsonSquare, NeverLeavesItsInterval, ()) {
-    stays_in_its_interval<FritschCarlsonSquare>();
+    stays_in_its_interval("fritsch-carlson-square");
 }
 
 TEST(MonotoneCatmullRom, FollowsTheFiveCases) {
     // [T A.1]: slopes with D's sign stay, others are 0, and D = 0 gives a constant.
     const Real t = Real(0.3);
-    const Real flat[4] = {0, 2, 2, 9};
-    EXPECT_EQ(at<MonotoneCatmullRom>(flat, t), Real(2));  // C1
-    const Real peaks[4] = {5, 1, 2, -9};
-    EXPECT_NEAR(at<MonotoneCatmullRom>(peaks, t), hermite(Real(1), Real(1), Real(0), Real(0), t),
+    const std::array<Real, 4> flat = {0, 2, 2, 9};
+    EXPECT_EQ(at(scheme("monotone-catmull-rom"), flat, t), Real(2));  // C1
+    const std::array<Real, 4> peaks = {5, 1, 2, -9};
+    EXPECT_NEAR(at(scheme("monotone-catmull-rom"), peaks, t), hermite(Real(1), Real(1), Real(0), Real(0), t),
                 4 * epsilon);  // C2
-    const Real left[4] = {5, 1, 2, 3};
-    EXPECT_NEAR(at<MonotoneCatmullRom>(left, t), hermite(Real(1), Real(1), Real(0), Real(1), t),
+    const std::array<Real, 4> left = {5, 1, 2, 3};
+    EXPECT_NEAR(at(scheme("monotone-catmull-rom"), left, t), hermite(Real(1), Real(1), Real(0), Real(1), t),
                 4 * epsilon);  // C3
-    const Real right[4] = {0, 1, 2, -9};
-    EXPECT_NEAR(at<MonotoneCatmullRom>(right, t), hermite(Real(1), Real(1), Real(1), Real(0), t),
+    const std::array<Real, 4> right = {0, 1, 2, -9};
+    EXPECT_NEAR(at(scheme("monotone-catmull-rom"), right, t), hermite(Real(1), Real(1), Real(1), Real(0), t),
                 4 * epsilon);  // C4
-    const Real rising[4] = {0, 1, 2, 4};
-    EXPECT_NEAR(at<MonotoneCatmullRom>(rising, t), at<CatmullRom>(rising, t), 4 * epsilon);  // C5
+    const std::array<Real, 4> rising = {0, 1, 2, 4};
+    EXPECT_NEAR(at(scheme("monotone-catmull-rom"), rising, t), at(scheme("catmull-rom"), rising, t),
+                4 * epsilon);  // C5
 }
 
 /// [T A.17–A.21] as a linear system, against the tensor product that the code computes.
@@ -197,10 +188,10 @@ RC_GTEST_PROP(Bicubic, IsThePatchOfValuesAndDerivatives, ()) {
                          Eigen::Vector4d(1, y, y * y, y * y * y);
     Real rows[4];
     for (int j = 0; j < 4; ++j) {
-        const Real row[4] = {Real(q[j][0]), Real(q[j][1]), Real(q[j][2]), Real(q[j][3])};
-        rows[j] = at<Bicubic>(row, Real(x));
+        const std::array<Real, 4> row = {Real(q[j][0]), Real(q[j][1]), Real(q[j][2]), Real(q[j][3])};
+        rows[j] = at(scheme("bicubic"), row, Real(x));
     }
-    RC_ASSERT(std::abs(static_cast<double>(at<Bicubic>(rows, Real(y))) - patch) <
+    RC_ASSERT(std::abs(static_cast<double>(at(scheme("bicubic"), rows, Real(y))) - patch) <
               64.0 * static_cast<double>(epsilon));
 }
 
@@ -209,7 +200,8 @@ TEST(BSpline, IsAPartitionOfUnityUpToTheWalls) {
     for (const int last : {3, 4, 5, 9}) {
         for (int i = 0; i < last; ++i) {
             for (int k = 0; k <= 8; ++k) {
-                EXPECT_NEAR(BSpline::at(1, 1, 1, 1, Real(k) / 8, {i, last, false}), 1, 8 * epsilon)
+                EXPECT_NEAR(scheme("b-spline").at({1, 1, 1, 1}, Real(k) / 8, {i, last, false}), 1,
+                            8 * epsilon)
                     << "interval " << i << " of " << last;
             }
         }
@@ -223,7 +215,8 @@ TEST(BSpline, IsContinuousAcrossIntervalsNearWalls) {
         const auto at_sample = [&](int k) {
             return k < 0 || k > last ? Real(99) : q[k];
         };  // walls hide what is beyond
-        return BSpline::at(at_sample(i - 1), q[i], q[i + 1], at_sample(i + 2), t, {i, last, false});
+        return scheme("b-spline")
+            .at({at_sample(i - 1), q[i], q[i + 1], at_sample(i + 2)}, t, {i, last, false});
     };
     EXPECT_NEAR(value(0, 0), q[0], 16 * epsilon);  // the boundary sample is met
     EXPECT_NEAR(value(last - 1, 1), q[last], 16 * epsilon);
@@ -236,7 +229,8 @@ TEST(BSpline, TakesTheTablesRowsAtTheWall) {
     const Real t = Real(0.4);
     const auto weight = [&](int sample, int i) {
         const auto one = [&](int k) { return k == sample ? Real(1) : Real(0); };
-        return static_cast<double>(BSpline::at(one(i - 1), one(i), one(i + 1), one(i + 2), t, {i, 9, false}));
+        return static_cast<double>(
+            scheme("b-spline").at({one(i - 1), one(i), one(i + 1), one(i + 2)}, t, {i, 9, false}));
     };
     const auto boundary01 = [](double x) { return 3 * x * x / 2 * (x / 2 - 1) + 1; };
     const auto boundary12 = [](double x) { return std::pow(2 - x, 3) / 4; };

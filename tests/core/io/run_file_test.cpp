@@ -44,8 +44,8 @@ TEST(RunFile, KeepsWhatItDoesNotName) {
     EXPECT_EQ(scene.resolution, 64);
     EXPECT_EQ(scene.beta, plume.beta);
     EXPECT_EQ(scene.emitters, plume.emitters);
-    EXPECT_EQ(scene.scalars.advector, Advectors::of<Aslam>());
-    EXPECT_EQ(scene.velocity.advector, Advectors::of<SemiLagrangian>());
+    EXPECT_EQ(scene.scalars.advector, Id<Advector>("aslam"));
+    EXPECT_EQ(scene.velocity.advector, Id<Advector>("semi-lagrangian"));
 }
 
 TEST(RunFile, ErrorsNameLineAndColumn) {

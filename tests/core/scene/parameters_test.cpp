@@ -53,12 +53,12 @@ TEST(Parameters, ChoicesTakeEveryKey) {
 TEST(Parameters, OneChoiceSetsBothAndAPrefixOne) {
     Scene scene;
     set_parameter(scene, "advector=aslam");
-    EXPECT_EQ(scene.velocity.advector, Advectors::of<Aslam>());
-    EXPECT_EQ(scene.scalars.advector, Advectors::of<Aslam>());
+    EXPECT_EQ(scene.velocity.advector, Id<Advector>("aslam"));
+    EXPECT_EQ(scene.scalars.advector, Id<Advector>("aslam"));
     EXPECT_TRUE(scene.linked);
     set_parameter(scene, "velocity.advector=bfecc");
-    EXPECT_EQ(scene.velocity.advector, Advectors::of<Bfecc>());
-    EXPECT_EQ(scene.scalars.advector, Advectors::of<Aslam>());
+    EXPECT_EQ(scene.velocity.advector, Id<Advector>("bfecc"));
+    EXPECT_EQ(scene.scalars.advector, Id<Advector>("aslam"));
     EXPECT_FALSE(scene.linked);
     set_parameter(scene, "linked=true");
     EXPECT_EQ(scene.velocity, scene.scalars);

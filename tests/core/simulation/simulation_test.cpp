@@ -73,7 +73,7 @@ TEST(Simulation, RefusesAChoiceAndStaysAsItWas) {
     Pool pool(1);
     Simulation simulation(plume({"interpolation=bicubic"}), pool);
     EXPECT_THROW(simulation.set(plume({"interpolation=bicubic", "advector=aslam"})), InputError);
-    EXPECT_EQ(simulation.scene().scalars.advector, Advectors::of<SemiLagrangian>());
+    EXPECT_EQ(simulation.scene().scalars.advector, Id<Advector>("semi-lagrangian"));
     EXPECT_THROW(Simulation(plume({"interpolation=bicubic", "advector=aslam"}), pool), InputError);
 }
 
