@@ -160,7 +160,7 @@ void SessionClient::set(const Parameter& p, double value) {
     if (!conflict(with(p, value)).empty()) {
         // A scheme that needs linear sampling brings it along; anything else is the run's to refuse.
         const Parameter& interpolation = parameter(std::string(prefix_of(p.key)) + "interpolation");
-        const double linear = interpolation.parse(Linear::info.key);
+        const double linear = interpolation.parse(whorl::linear.info.key);
         const double before = interpolation.get(scene_);
         Scene both = with(p, value);
         interpolation.set(both, linear);
