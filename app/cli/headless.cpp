@@ -25,7 +25,7 @@ namespace {
 const ColourMap* map_of(const DrawArguments& arguments) {
     if (arguments.map.empty()) {
         // On paper what grows from 0 goes from white to black, as in the thesis.
-        return arguments.light && view(arguments.view).middle == nullptr && !arguments.difference
+        return arguments.light && !view(arguments.view).diverges() && !arguments.difference
                    ? find_colour_map("white-black")
                    : nullptr;
     }

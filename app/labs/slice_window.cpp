@@ -71,7 +71,7 @@ void add_interpolations(const PanelContext& context, SliceLab& lab, std::vector<
 /// The selected lane by the exact solution, straight between the cells that it is known at.
 void add_exact(const PanelContext& context, SliceLab& lab, std::vector<Drawn>& all) {
     const Snapshot& selected = context.snapshot();
-    if (!selected.has_exact || &context.fields.view() != &views().front() || context.fields.difference())
+    if (!selected.has_exact || &context.fields.view() != views().front() || context.fields.difference())
         return;
     const Field& filled =
         lab.exact.of(context.client.selected(), selected, selected.exact, context.fields.version());

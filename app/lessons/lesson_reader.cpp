@@ -144,7 +144,7 @@ void read_run(const TomlReader& reader, const table& from, LessonStep& step) {
         step.recording = located(reader, *at, [&] { return find_run(step.scene); });
         step.recording.digest = 0;
         step.recording.step = 0;
-        step.view = &views().front();
+        step.view = views().front();
         step.mode = LessonMode::SideBySide;
     } else if (step.scene.empty()) {
         reader.fail(from.source(), "the first step has no scene");

@@ -63,7 +63,7 @@ void draw_curve_view(PanelContext& context, ImVec2 size) {
     const Snapshot& selected = context.snapshot();
     const View& view = context.fields.view();
     const bool several = context.names.size() > 1;
-    const bool compares = selected.has_exact && &view == &views().front() && !context.fields.difference();
+    const bool compares = selected.has_exact && &view == views().front() && !context.fields.difference();
 
     std::array<Curve, Setup::max_lanes> curves;
     Curve exact;

@@ -20,7 +20,8 @@ void view_chips(PanelContext& context) {
                    static_cast<float>(columns));
     int k = 0;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(gap, gap));
-    for (const View& view : views()) {
+    for (const View* each : views()) {
+        const View& view = *each;
         const bool known = available(view, context.snapshot());
         if (!known && experiment(context.scene().experiment).exact == nullptr) continue;
         if (k++ % columns != 0) ImGui::SameLine();

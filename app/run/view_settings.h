@@ -30,7 +30,7 @@ struct Renaming {
 };
 
 struct ViewSettings {
-    const View* shown = &views().front();
+    const View* shown = views().front();
     bool difference = false;  ///< of each lane from the reference lane, in that view
     Compare compare = Compare::SideBySide;
     bool peek = false;    ///< where one lane is shown: the other one in its place

@@ -71,11 +71,11 @@ void LaneFields::measure_span(const SessionSnapshot& session) {
     for (std::size_t k = 0; k < fields_.size(); ++k) {
         if (fields_[k] == nullptr) continue;
         const Range extent = measured.extent(session.lanes[k], *fields_[k]);
-        if (!measured.middle) least_ = std::min(least_, extent.lo);
+        if (!measured.diverges()) least_ = std::min(least_, extent.lo);
         const Range shown = measured.shown(session.lanes[k], extent);
         span = {std::min(span.lo, shown.lo), std::max(span.hi, shown.hi)};
     }
-    if (span.lo == span.hi) span = {measured.middle ? centre - 1 : 0, centre + 1};
+    if (span.lo == span.hi) span = {measured.diverges() ? centre - 1 : 0, centre + 1};
     span_ = span;
 }
 

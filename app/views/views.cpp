@@ -2,19 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
+#include <deque>
 
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/base/suggest.h"
+#include "core/derived/derived.h"
 #include "core/experiments/experiment.h"
 
 namespace whorl::app {
 namespace {
-
-float about_zero(const Snapshot&) {
-    return 0;
-}
 
 const Field* difference(const Snapshot& s, Field& scratch) {
     if (!s.has_exact) return nullptr;
@@ -40,44 +37,81 @@ const Field* limited_velocity(const Snapshot& s, Field& scratch) {
     return s.limits ? &s.limits->velocity : zeros(s, scratch);
 }
 
-constexpr View table[] = {
-    {"density", "Smoke density", "ρ", "How much smoke there is.", "magma",
-     [](const Snapshot& s, Field&) { return &s.density(); }, nullptr},
-    {"temperature", "Temperature", "degrees", "Cold is blue, warm is red, still air is in the middle.",
-     "blue-red", [](const Snapshot& s, Field&) { return &s.state.temperature(); },
-     [](const Snapshot& s) { return static_cast<float>(s.scene.ambient); }},
-    {"speed", "Speed", "length/time", "|u| at cell centres.", "viridis",
-     [](const Snapshot& s, Field&) { return &s.speed; }, nullptr},
-    {"vorticity", "Vorticity", "1/time", "ω = ∂v/∂x − ∂u/∂y: red turns to the left, blue to the right.",
-     "blue-dark-red", [](const Snapshot& s, Field&) { return &s.vorticity; }, about_zero},
-    {"pressure", "Pressure", "p", "Of the last projection.", "blue-dark-red",
-     [](const Snapshot& s, Field&) { return &s.state.pressure; }, about_zero},
-    {"divergence", "Divergence", "1/time", "∇·u at the step's end: what the next projection takes away.",
-     "blue-dark-red", [](const Snapshot& s, Field&) { return &s.divergence; }, about_zero},
-    {"exact", "Exact solution", "ρ", "What the density would be without any error.", "magma",
-     [](const Snapshot& s, Field&) { return s.has_exact ? &s.exact : nullptr; }, nullptr},
-    {"difference", "Difference", "ρ", "Numerical less exact density.", "blue-dark-red", difference,
-     about_zero},
-    {"limited-smoke", "Limited smoke", "", "Cells whose smoke a limiter changed in the last step.", "magma",
-     limited_smoke, nullptr, true},
-    {"limited-velocity", "Limited velocity", "share of faces",
-     "How many of a cell's faces had their velocity changed by a limiter in the last step.", "magma",
-     limited_velocity, nullptr, true},
+using Middle = FieldDisplay::Middle;
+
+View view_of(FieldId id) {
+    const FieldInfo& info = id.info();
+    return {*info.display, info.key, [id](const Snapshot& s, Field&) { return &s.state[id]; }};
+}
+
+View view_of(const DerivedField& derived) {
+    return {derived.display, derived.key, [&derived](const Snapshot& s, Field& scratch) {
+                static Pool alone(1);  // a window's thread does not wait for others
+                if (!scratch.same_shape(s.density())) scratch = s.density();
+                derived.compute(s.state, alone, scratch);
+                return &scratch;
+            }};
+}
+
+/// What only a snapshot knows.
+const View of_snapshots[] = {
+    {{"Exact solution", "ρ", "What the density would be without any error.", "magma", Middle::None, 70},
+     "exact",
+     [](const Snapshot& s, Field&) { return s.has_exact ? &s.exact : nullptr; }},
+    {{"Difference", "ρ", "Numerical less exact density.", "blue-dark-red", Middle::Zero, 80},
+     "difference",
+     difference},
+    {{"Limited smoke", "", "Cells whose smoke a limiter changed in the last step.", "magma", Middle::None,
+      90},
+     "limited-smoke",
+     limited_smoke,
+     true},
+    {{"Limited velocity", "share of faces",
+      "How many of a cell's faces had their velocity changed by a limiter in the last step.", "magma",
+      Middle::None, 100},
+     "limited-velocity",
+     limited_velocity,
+     true},
 };
+
+/// All views; those that tables make are kept here.
+struct ViewList {
+    std::deque<View> made;
+    Registry<View> all{"view", {}};
+
+    ViewList() {
+        for (std::size_t k = 0; k < fields().size(); ++k) {
+            if (fields()[k].display) made.push_back(view_of(FieldId(k)));
+        }
+        for (const DerivedField* derived : derived_fields().all()) made.push_back(view_of(*derived));
+        made.insert(made.end(), std::begin(of_snapshots), std::end(of_snapshots));
+        std::stable_sort(made.begin(), made.end(),
+                         [](const View& a, const View& b) { return a.rank < b.rank; });
+        for (const View& view : made) all.add(view);
+    }
+};
+
+Registry<View>& list() {
+    static ViewList views;
+    return views.all;
+}
 
 }  // namespace
 
-std::span<const View> views() {
-    return table;
+std::span<const View* const> views() {
+    return list().all();
+}
+
+void add_view(const View& view) {
+    list().add(view);
 }
 
 const View& view(std::string_view key) {
-    std::vector<std::string_view> keys;
-    for (const View& v : views()) {
-        if (v.key == key) return v;
-        keys.push_back(v.key);
-    }
-    throw InputError("unknown view \"" + std::string(key) + "\"; " + suggestion(key, keys));
+    return list().find(key);
+}
+
+float View::centre(const Snapshot& snapshot) const {
+    return middle == Middle::Ambient ? static_cast<float>(snapshot.scene.ambient) : 0;
 }
 
 Range View::extent(const Snapshot& snapshot, const Field& values) const {
@@ -94,7 +128,7 @@ Range View::extent(const Snapshot& snapshot, const Field& values) const {
 }
 
 Range View::shown(const Snapshot& snapshot, Range extent) const {
-    if (!middle) return {0, extent.hi};
+    if (!diverges()) return {0, extent.hi};
     const float from = centre(snapshot);
     const float far = std::max(from - extent.lo, extent.hi - from);
     return {from - far, from + far};
@@ -103,7 +137,7 @@ Range View::shown(const Snapshot& snapshot, Range extent) const {
 Range View::automatic_range(const Snapshot& snapshot, const Field& values) const {
     const Range range = shown(snapshot, extent(snapshot, values));
     const float from = centre(snapshot);
-    return range.lo < range.hi ? range : Range{middle ? from - 1 : 0, from + 1};
+    return range.lo < range.hi ? range : Range{diverges() ? from - 1 : 0, from + 1};
 }
 
 void take_shown(Session& session, const View& view, const SessionSnapshot& last, Pool& pool,

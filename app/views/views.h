@@ -1,6 +1,7 @@
 // What of a snapshot can be looked at: one table for the window, the command line and the pictures.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -15,20 +16,16 @@ struct Range {
 };
 
 /// A quantity to look at.
-struct View {
+struct View : FieldDisplay {
     std::string_view key;
-    std::string_view label;
-    std::string_view unit;
-    std::string_view help;
-    std::string_view map;  ///< key of the colour map that suits it
     /// The field, computed into `scratch` where the snapshot does not hold it; null where there is none.
-    const Field* (*field)(const Snapshot&, Field& scratch);
-    /// The value in the middle of the colours for one that diverges; null for one that grows from 0.
-    float (*middle)(const Snapshot&);
+    std::function<const Field*(const Snapshot&, Field& scratch)> field;
     bool of_limiters = false;  ///< counts: drawn crisp; 0 unless limiters are watched, see Watch
 
+    /// Whether colours go to either side of a middle, and do not grow from 0.
+    bool diverges() const { return middle != FieldDisplay::Middle::None; }
     /// The middle, or 0.
-    float centre(const Snapshot& snapshot) const { return middle ? middle(snapshot) : 0; }
+    float centre(const Snapshot& snapshot) const;
     /// What fluid cells span, the middle among it, or 0 where there is none.
     Range extent(const Snapshot& snapshot, const Field& values) const;
     /// The same as colours show it: from 0, or as far to either side of the middle.
@@ -37,8 +34,12 @@ struct View {
     Range automatic_range(const Snapshot& snapshot, const Field& values) const;
 };
 
-/// All views; the first is the default.
-std::span<const View> views();
+/// All views, in the order of menus: of the fields that a run carries, of derived ones, and of what only a
+/// snapshot knows. The first is the default.
+std::span<const View* const> views();
+
+/// Adds one, before the first window or picture.  @throws InputError if its key is taken
+void add_view(const View& view);
 
 /// @throws InputError that names the nearest keys
 const View& view(std::string_view key);

@@ -138,7 +138,7 @@ void MainWindow::take_run() {
     measures_.clear();
     names_.update(session.setup);
     lessons_.update(client_, view_);
-    if (!available(*view_.shown, client_.snapshot())) view_.shown = &views().front();
+    if (!available(*view_.shown, client_.snapshot())) view_.shown = views().front();
     if (session.lanes.size() == 1) {
         view_.compare = Compare::SideBySide;
         view_.difference = false;

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/phases/last_advection.h"
 #include "core/scene/state.h"
-#include "core/simulation/last_advection.h"
 
 namespace whorl {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/parallel/pool.h"
-#include "core/simulation/last_advection.h"
+#include "core/phases/last_advection.h"
 
 namespace whorl {
 

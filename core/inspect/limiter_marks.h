@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/measure/measures.h"
-#include "core/simulation/last_advection.h"
+#include "core/phases/last_advection.h"
 
 namespace whorl {
 

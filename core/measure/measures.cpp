@@ -64,14 +64,18 @@ int add_vectors(const CellRow& cells, int count, RowSums& row) {
 }  // namespace
 
 PhaseShare Measures::phase(std::string_view key) const {
-    const auto share = [&](double PhaseTimes::*taken, double PhaseChanges::*change) {
-        return PhaseShare{ms.*taken, energy_changes.*change, enstrophy_changes.*change};
-    };
-    if (key == "forces") return share(&PhaseTimes::forces, &PhaseChanges::forces);
-    if (key == "projection") return share(&PhaseTimes::projection, &PhaseChanges::projection);
-    if (key == "advection") return share(&PhaseTimes::advection, &PhaseChanges::advection);
+    const auto found =
+        std::find_if(phases.begin(), phases.end(), [&](const auto& p) { return p.first == key; });
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-    return {unknown, unknown, unknown};
+    return found != phases.end() ? found->second : PhaseShare{unknown, unknown, unknown};
+}
+
+void Measures::add(std::string_view phase, const PhaseShare& did) {
+    auto found = std::find_if(phases.begin(), phases.end(), [&](const auto& p) { return p.first == phase; });
+    if (found == phases.end()) found = phases.insert(phases.end(), {phase, {}});
+    found->second.ms += did.ms;
+    found->second.energy += did.energy;
+    found->second.enstrophy += did.enstrophy;
 }
 
 void Meter::measure(const State& state, const FlowSums& flow, double dt, Pool& pool, Measures& out) {

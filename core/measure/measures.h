@@ -13,20 +13,9 @@
 
 namespace whorl {
 
-/// Milliseconds that the phases of a step took.
-struct PhaseTimes {
-    double forces = 0, projection = 0, advection = 0, total = 0;
-};
-
-/// What the phases of a step added to a sum over the flow: together its change since the last step ended.
-/// `forces` holds what brush and obstacles did since then too. A change of grid is nobody's and is left out.
-struct PhaseChanges {
-    double forces = 0, projection = 0, advection = 0;
-};
-
 /// Errors against an exact solution; not a number where none is known.  [T 5.4, 5.6, 5.7]
 struct Errors {
-    double L1, L2, Linf;
+    double L1 = std::numeric_limits<double>::quiet_NaN(), L2 = L1, Linf = L1;
 };
 
 /// Nodes whose value a limiter or a clamped interpolation changed in a step, the faces of both directions for
@@ -36,7 +25,9 @@ struct LimiterCounts {
     double velocity = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// What one phase did in a step.
+/// What one phase did in a step, in all its parts together. All phases together are the change since the last
+/// step ended: the first has what brush and obstacles did since then too. A change of grid is nobody's and is
+/// left out.
 struct PhaseShare {
     double ms = 0;
     double energy = 0, enstrophy = 0;  ///< added to ½∫|u|² and ½∫ω²; NaN where the flow is given
@@ -48,7 +39,6 @@ struct Measures {
     double density_percent = 0;  ///< 100 ∫ρ over what was put in; NaN if nothing was  [T 5.5]
     double kinetic_energy = 0;   ///< ½ ∫|u|², from face velocities
     double enstrophy = 0;        ///< ½ ∫ω²
-    PhaseChanges energy_changes, enstrophy_changes;  ///< by the last step; NaN where the flow is given
     /// Of the last step's advection, length²/time; NaN before the first step, in still air, where the flow is
     /// given.
     double effective_viscosity = std::numeric_limits<double>::quiet_NaN();
@@ -57,15 +47,20 @@ struct Measures {
     double min_density = 0, max_density = 0;
     double cfl = 0;  ///< |u|max Δt / h
     Errors errors;
-    LimiterCounts limited;  ///< by the last step
-    PhaseTimes ms;
+    LimiterCounts limited;              ///< by the last step
+    double step_ms = 0;                 ///< that the last step took, ms
     std::string_view pressure_why_not;  ///< why another pressure solver than the chosen one acted, or empty
     SolveReport pressure;          ///< of the last projection; its solver's key is empty if there was none
     double removed_mean = 0;       ///< divergence taken out of a closed component, 1/time
     std::vector<Reduced> reduced;  ///< what was asked for beside all that
 
-    /// What a phase did in the last step, by its key: all NaN where the step had none of that key.
+    /// The phases of the last step by their keys, in order; at the start they have done nothing.
+    std::vector<std::pair<std::string_view, PhaseShare>> phases;
+
+    /// What a phase did in the last step; all NaN where it had none of that key.
     PhaseShare phase(std::string_view key) const;
+    /// Adds what a part of a phase did.
+    void add(std::string_view phase, const PhaseShare& did);
 };
 
 /// Names the first field that holds a value that is not finite, and where; empty if all is well.
@@ -100,6 +95,19 @@ class Meter {
 /// @param enstrophy     Z = ½ ∫ω² of the velocity that the advection started from
 /// @return −ΔE / (Δt 2Z), length²/time; NaN where Z is 0
 double effective_viscosity(double energy_change, double enstrophy, double dt);
+
+/// The same of several advections in one step: −Σ ΔE / Σ Δt 2Z.
+class Dissipation {
+  public:
+    void add(double energy_change, double enstrophy, double dt) {
+        energy_ += energy_change;
+        enstrophy_ += enstrophy * dt;
+    }
+    double viscosity() const { return effective_viscosity(energy_, enstrophy_, 1); }
+
+  private:
+    double energy_ = 0, enstrophy_ = 0;
+};
 
 /// L1 = Σ|q−Q| h^d, L2 = √(Σ(q−Q)² h^d), L∞ = max|q−Q|, over the fluid's cells.  [T 5.4, 5.6, 5.7]
 /// @param q, reference at centres

@@ -20,7 +20,8 @@ std::vector<FieldInfo>& table() {
          .unit = "",
          .counted = true,
          .source = Source{.stroke = Source::Stroke::Raise, .brush = 0.5, .emitter = 0.5},
-         .display = FieldDisplay{"Smoke density", "ρ", "How much smoke there is.", "magma"}},
+         .display =
+             FieldDisplay{"Smoke density", "ρ", "How much smoke there is.", "magma", Middle::None, 10}},
         {.key = "temperature",
          .title = "Temperature",
          .symbol = "T",
@@ -35,7 +36,7 @@ std::vector<FieldInfo>& table() {
                           .slider_most = 100},
          .display =
              FieldDisplay{"Temperature", "degrees", "Cold is blue, warm is red, still air is in the middle.",
-                          "blue-red", Middle::Ambient}},
+                          "blue-red", Middle::Ambient, 20}},
         {.key = "u",
          .title = "x velocity",
          .symbol = "u",
@@ -53,7 +54,8 @@ std::vector<FieldInfo>& table() {
          .symbol = "p",
          .unit = "density · length²/time²",
          .advected_by = AdvectedBy::Nothing,
-         .display = FieldDisplay{"Pressure", "p", "Of the last projection.", "blue-dark-red", Middle::Zero}},
+         .display =
+             FieldDisplay{"Pressure", "p", "Of the last projection.", "blue-dark-red", Middle::Zero, 50}},
     };
     return all;
 }

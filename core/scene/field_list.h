@@ -38,6 +38,7 @@ struct FieldDisplay {
     std::string_view help;
     std::string_view map;          ///< key of the colour map
     Middle middle = Middle::None;  ///< of the colours; None grows from 0
+    int rank = 25;                 ///< its place in menus: they go by rank
 };
 
 struct FieldInfo {

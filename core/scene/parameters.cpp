@@ -7,6 +7,7 @@
 #include "core/base/number.h"
 #include "core/base/suggest.h"
 #include "core/pressure/solver.h"
+#include "core/scene/step_order.h"
 
 namespace whorl {
 namespace {
@@ -78,6 +79,16 @@ Parameter entry_row(Words words, Group group, Member member) {
     return p;
 }
 
+/// A row for a choice that a scene holds as an index.
+Parameter index_row(Words words, Group group, std::vector<SchemeInfo> choices, std::size_t Scene::*member) {
+    const double last = static_cast<double>(choices.size() - 1);
+    Parameter p = row(std::move(words), group, Kind::Choice, {0, last, 0, last});
+    p.choices = std::move(choices);
+    p.get = [member](const Scene& s) { return static_cast<double>(s.*member); };
+    p.set = [member](Scene& s, double value) { s.*member = static_cast<std::size_t>(value); };
+    return p;
+}
+
 /// Adds a row of a scheme set three times: for both sets, for the velocity's and for the scalars'.
 template <class MakeRow>
 void add_scheme_rows(Table& table, const MakeRow& make) {
@@ -122,10 +133,11 @@ void add_time(Table& t) {
         Group::Time, {1e-6, 100, 0.001, 0.2, true}, [](Scene& s) -> double& { return s.dt; }));
     t.push_back(value_row({"steps", "Steps", "steps", "Steps of a run without a window.", ""}, Group::Time,
                           {0, 1e7, 60, 1200}, [](Scene& s) -> int& { return s.steps; }));
-    t.push_back(
-        choice_row<StepOrders>({"order", "Step order", "", "The order of forces, projection and advection.",
-                                "thesis alg. 2.1; Fedkiw et al. eq. 14"},
-                               Group::Time, [](Scene& s) -> StepOrders::Id& { return s.order; }));
+    std::vector<SchemeInfo> orders;
+    for (const StepOrder* order : step_orders().all()) orders.push_back(order->info);
+    t.push_back(index_row({"order", "Step order", "", "The order of forces, projection and advection.",
+                           "thesis alg. 2.1; Fedkiw et al. eq. 14"},
+                          Group::Time, std::move(orders), &Scene::order));
 }
 
 // NOLINTNEXTLINE(readability-function-size): a table
@@ -215,14 +227,11 @@ void add_forces(Table& t) {
 }
 
 void add_pressure(Table& t) {
-    const auto solvers = pressure_solvers();
-    const double last = static_cast<double>(solvers.size() - 1);
-    Parameter p = row({"pressure", "Solver", "", "How the pressure equation is solved.", "thesis sec. 2.2"},
-                      Group::Pressure, Kind::Choice, {0, last, 0, last});
-    for (const PressureSolverEntry& entry : solvers) p.choices.push_back(entry.info);
-    p.get = [](const Scene& s) { return static_cast<double>(s.pressure); };
-    p.set = [](Scene& s, double value) { s.pressure = static_cast<std::size_t>(value); };
-    t.push_back(std::move(p));
+    std::vector<SchemeInfo> solvers;
+    for (const PressureSolverEntry& entry : pressure_solvers()) solvers.push_back(entry.info);
+    t.push_back(
+        index_row({"pressure", "Solver", "", "How the pressure equation is solved.", "thesis sec. 2.2"},
+                  Group::Pressure, std::move(solvers), &Scene::pressure));
     t.push_back(value_row({"tolerance", "Tolerance", "", "Where an iterative pressure solver stops.", ""},
                           Group::Pressure, {1e-14, 1, 1e-8, 1e-2, true},
                           [](Scene& s) -> double& { return s.tolerance; }));

@@ -13,18 +13,6 @@
 
 namespace whorl {
 
-/// Forces → projection → advection.
-struct ThesisOrder {
-    static constexpr SchemeInfo info{"thesis", "Thesis", "thesis alg. 2.1",
-                                     "Forces, projection, advection: what moves is divergence-free."};
-};
-/// Forces → advection → projection.
-struct SmokeOrder {
-    static constexpr SchemeInfo info{"smoke", "Smoke paper", "Fedkiw, Stam and Jensen 2001, eq. 14",
-                                     "Forces, advection, projection: what is left is divergence-free."};
-};
-using StepOrders = SchemeList<ThesisOrder, SmokeOrder>;
-
 /// A rectangle that holds scalars at their amounts in a window of time.
 struct Emitter {
     double x = 20, y = 1;                                    ///< centre, length
@@ -60,9 +48,9 @@ struct Scene {
     int dimensions = 2;              ///< 1 takes a single row of cells
     Sides::Id sides;
 
-    double dt = 1.0 / 60;  ///< time
-    int steps = 600;       ///< of a run without a window
-    StepOrders::Id order;
+    double dt = 1.0 / 60;   ///< time
+    int steps = 600;        ///< of a run without a window
+    std::size_t order = 0;  ///< index into step_orders()
 
     SchemeSet velocity;  ///< how the velocity is advected
     SchemeSet scalars;   ///< how density and temperature are

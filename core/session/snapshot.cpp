@@ -4,29 +4,10 @@
 #include <cmath>
 
 #include "core/inspect/explain.h"
-#include "core/measure/vorticity.h"
 #include "core/scene/digest.h"
 
 namespace whorl {
 namespace {
-
-void speed_and_divergence(const State& state, Pool& pool, Snapshot& out) {
-    const Grid& grid = state.grid();
-    pool.bands(grid.ny, [&](int first, int last) {
-        for (int j = first; j < last; ++j) {
-            const Real* u = state.velocity.u.row(j);
-            const Real* v = state.velocity.v.row(j);
-            const Real* v_above = state.velocity.v.row(j + 1);
-            const Real over_h = static_cast<Real>(1 / grid.h);
-            for (int i = 0; i < grid.nx; ++i) {
-                const Real x = (u[i] + u[i + 1]) * Real(0.5);
-                const Real y = (v[i] + v_above[i]) * Real(0.5);
-                out.speed(i, j) = std::sqrt(x * x + y * y);
-                out.divergence(i, j) = (u[i + 1] - u[i] + v_above[i] - v[i]) * over_h;
-            }
-        }
-    });
-}
 
 /// The explanation of the node that is nearest to a point.
 Explanation explained(const LastAdvection& last, const Watch::Node& node, Pool& pool) {
@@ -48,11 +29,7 @@ void take_snapshot(const Lane& lane, Pool& pool, Snapshot& out, const std::optio
     out.failure = lane.failure();
     out.measures = simulation.measures();
     out.state = state;
-    for (Field* field : {&out.speed, &out.vorticity, &out.divergence, &out.exact}) {
-        if (!field->same_shape(state.density())) *field = state.boundary.field(Site::Centre);
-    }
-    speed_and_divergence(state, pool, out);
-    vorticity(state.velocity, state.boundary, out.vorticity, pool);
+    if (!out.exact.same_shape(state.density())) out.exact = state.boundary.field(Site::Centre);
     out.has_exact = simulation.exact(out.exact);
     out.explanation.reset();
     out.watched = node;

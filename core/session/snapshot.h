@@ -15,9 +15,8 @@ namespace whorl {
 /// One lane.
 struct Snapshot {
     Scene scene;
-    State state;                         ///< ghosts filled
-    Field speed, vorticity, divergence;  ///< at centres, of the velocity as it stands
-    Field exact;                         ///< the exact density, where has_exact
+    State state;  ///< ghosts filled
+    Field exact;  ///< the exact density, where has_exact
     bool has_exact = false;
     Measures measures;
     // Where that is watched, and known of the last step:

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "core/phases/last_advection.h"
 #include "core/scene/state.h"
-#include "core/simulation/last_advection.h"
 
 namespace whorl {
 

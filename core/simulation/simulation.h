@@ -3,13 +3,9 @@
 
 #include <optional>
 
-#include "core/advection/advection.h"
-#include "core/experiments/experiment.h"
 #include "core/forces/brush.h"
-#include "core/forces/confinement.h"
-#include "core/measure/measures.h"
-#include "core/pressure/projection.h"
-#include "core/simulation/last_advection.h"
+#include "core/phases/phase.h"
+#include "core/scene/step_order.h"
 
 namespace whorl {
 
@@ -42,7 +38,7 @@ class Simulation {
     void restart();
 
     Checkpoint checkpoint() const {
-        return {scene_, state_, measures_, resampled_, projection_.memory(state_.boundary)};
+        return {scene_, state_, measures_, resampled_, solvers_.projection.memory(state_.boundary)};
     }
     void restore(const Checkpoint& checkpoint);
 
@@ -58,11 +54,9 @@ class Simulation {
 
   private:
     void set_scene(const Scene& scene);
-    void add_forces();
-    void project();
-    void advect();
-    /// Books what a phase changed to it. @param flow before the phase on entry, after it on return
-    void book(double PhaseChanges::*phase, FlowSums& flow);
+    const StepOrder& order() const;
+    /// Runs the phases of an order. @return the flow's sums at its end
+    FlowSums run(const StepOrder& order);
     /// @param flow of the present velocity
     void measure(const FlowSums& flow);
 
@@ -72,14 +66,8 @@ class Simulation {
     State state_;
     Measures measures_;
 
-    Projection projection_;
-    Confinement confinement_;
-    Advection velocity_advection_, scalars_advection_;
-    std::vector<AdvectedField> moving_;  ///< scalars, u, v; kept for its memory
-    Fields next_;
+    Solvers solvers_;
     Field exact_;
-    /// Of the last step: what it moved is then in next_ as it was before.
-    std::optional<AdvectionSetup> advected_;
     Meter meter_;
     FlowSums resampled_;  ///< what changes of grid did to the flow since the last step
 };

@@ -1,6 +1,8 @@
 // What a whole step costs: the plume by scheme and resolution, phase by phase, and every experiment.
 #include <benchmark/benchmark.h>
 
+#include <map>
+
 #include "core/scene/parameters.h"
 #include "core/simulation/simulation.h"
 
@@ -26,18 +28,13 @@ void step_scene(benchmark::State& state, const Scene& scene, int threads) {
     Pool pool(threads);
     Simulation simulation(scene, pool);
     for (int k = 0; k < settling_steps; ++k) simulation.step();
-    PhaseTimes sum;
+    std::map<std::string_view, double> sum;
     for (auto _ : state) {
         simulation.step();
-        const PhaseTimes& ms = simulation.measures().ms;
-        sum.forces += ms.forces;
-        sum.projection += ms.projection;
-        sum.advection += ms.advection;
+        for (const auto& [key, share] : simulation.measures().phases) sum[key] += share.ms;
     }
     const double n = static_cast<double>(state.iterations());
-    state.counters["forces_ms"] = sum.forces / n;
-    state.counters["projection_ms"] = sum.projection / n;
-    state.counters["advection_ms"] = sum.advection / n;
+    for (const auto& [key, ms] : sum) state.counters[std::string(key) + "_ms"] = ms / n;
     const Grid grid = scene.grid();
     state.counters["cells/s"] = benchmark::Counter(n * grid.nx * grid.ny, benchmark::Counter::kIsRate);
 }

@@ -23,7 +23,7 @@ struct LessonWindow {
         client.begin_frame();
         const SessionSnapshot& session = client.session();
         // As the window does: it must not take away what a step asks for.
-        if (!available(*view.shown, client.snapshot())) view.shown = &views().front();
+        if (!available(*view.shown, client.snapshot())) view.shown = views().front();
         if (session.lanes.size() == 1) {
             view.compare = Compare::SideBySide;
             view.difference = false;

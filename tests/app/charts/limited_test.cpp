@@ -48,7 +48,7 @@ TEST(LimitedViews, ShowWhatLimitersChangedAndCostNothingElse) {
         EXPECT_GT(counted, 0);
         EXPECT_LE(sum(*window.fields.of(1)), counted);
         EXPECT_GT(sum(*window.fields.of(1)), counted / 3);
-        window.view.shown = &views().front();
+        window.view.shown = views().front();
         EXPECT_TRUE(window.eventually([&] { return !limits(1); }));
     }
 }

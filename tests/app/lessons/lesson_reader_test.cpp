@@ -132,7 +132,7 @@ scene = "rest"
     EXPECT_EQ(three.recording.setup.scene.resolution, 40);
     EXPECT_EQ(three.recording.setup.lanes.size(), 1u);
     EXPECT_EQ(three.recording.step, 0);
-    EXPECT_EQ(three.view, &views().front());
+    EXPECT_EQ(three.view, views().front());
     EXPECT_EQ(three.mode, LessonMode::SideBySide);
 }
 

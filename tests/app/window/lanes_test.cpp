@@ -217,7 +217,8 @@ TEST(LanesWindow, DifferencesAreFromTheReferenceAveragedToTheLane) {
     for (int k = 0; k < 3; ++k) window.player.step_once();
     ASSERT_TRUE(window.eventually([&] { return window.client.session().step == 3; }));
     window.view.difference = true;
-    for (const View& view : views()) {
+    for (const View* each : views()) {
+        const View& view = *each;
         if (!available(view, window.client.snapshot())) continue;
         window.view.shown = &view;
         window.frame();
@@ -258,10 +259,11 @@ TEST(LanesWindow, OneRangeForAllLanes) {
     ASSERT_TRUE(window.eventually([&] { return window.client.session().step == 5; }));
     window.view.shown = &view("speed");
     window.frame();
+    Field speed;
     float largest = 0;
     for (std::size_t k = 0; k < 3; ++k) {
         const Snapshot& s = window.client.session().lanes[k];
-        largest = std::max(largest, view("speed").automatic_range(s, s.speed).hi);
+        largest = std::max(largest, view("speed").automatic_range(s, *view("speed").field(s, speed)).hi);
     }
     EXPECT_EQ(window.view.range.ends().hi, largest);
 }

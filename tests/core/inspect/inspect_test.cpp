@@ -15,6 +15,7 @@
 #include "core/inspect/text.h"
 #include "core/inspect/walls.h"
 #include "core/scene/parameters.h"
+#include "core/scene/step_order.h"
 #include "core/session/player.h"
 
 namespace whorl {
@@ -402,7 +403,7 @@ TEST(Inspect, TellsTheLastStepOfARun) {
                 Simulation simulation(scene, pool);
                 EXPECT_FALSE(simulation.last_advection()) << "no step yet";
                 for (int k = 0; k < 40; ++k) simulation.step();
-                expect_told(simulation, scene.order == StepOrders::of<SmokeOrder>());
+                expect_told(simulation, step_orders().all()[scene.order]->info.key == "smoke");
             }
         }
     }
@@ -415,7 +416,7 @@ TEST(Inspect, TellsTheLastStepOfEveryExperiment) {
         Pool pool(1);
         Simulation simulation(scene, pool);
         for (int k = 0; k < 5; ++k) simulation.step();
-        expect_told(simulation, scene.order == StepOrders::of<SmokeOrder>());
+        expect_told(simulation, step_orders().all()[scene.order]->info.key == "smoke");
         EXPECT_EQ(simulation.last_advection()->from(field::u) == nullptr, e.flow != nullptr);
     }
 }

@@ -67,8 +67,8 @@ TEST(MeasureList, ReadsOlderKeys) {
 TEST(MeasureList, ReadsTheRecordOfAStep) {
     Measures m;
     m.errors.L2 = 3;
-    m.energy_changes.advection = -2;
-    m.ms.projection = 5;
+    m.add("advection", {1, -2, 3});
+    m.add("projection", {5, 0, 0});
     m.limited.velocity = 7;
     const auto value = [&](const char* key) { return measures().find(key).of(m); };
     EXPECT_EQ(value("L2"), 3);

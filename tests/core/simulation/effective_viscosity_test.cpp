@@ -49,7 +49,7 @@ Decay decay(const Scene& scene) {
         simulation.step();
         const Measures& m = simulation.measures();
         d.advection += m.effective_viscosity / steps;
-        d.projection += effective_viscosity(m.energy_changes.projection, enstrophy, scene.dt) / steps;
+        d.projection += effective_viscosity(m.phase("projection").energy, enstrophy, scene.dt) / steps;
     }
     const double k2 = 2 * wave_number(scene) * wave_number(scene);
     const double lost = -std::log(simulation.measures().kinetic_energy / start);

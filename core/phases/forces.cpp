@@ -1,0 +1,22 @@
+// Emitters, buoyancy and vorticity confinement.  [T alg 2.1; F 4, 11–13]
+#include "core/forces/buoyancy.h"
+#include "core/forces/emitters.h"
+#include "core/phases/phase.h"
+
+namespace whorl {
+namespace {
+
+void run(const StepContext& c) {
+    State& state = c.state;
+    apply_emitters(state, c.scene.emitters, c.dt);
+    add_buoyancy(state, c.scene.alpha, c.scene.beta, c.scene.ambient, c.dt, c.pool);
+    state.boundary.enforce(state.velocity);
+    c.solvers.confinement.add(state, c.scene.confinement, c.dt, c.pool);
+    state.boundary.enforce(state.velocity);
+}
+
+}  // namespace
+
+extern const Phase forces_phase{"forces", "Forces", run};
+
+}  // namespace whorl

@@ -1,0 +1,54 @@
+// The phases of a step: what each does to a state.
+#pragma once
+
+#include <optional>
+
+#include "core/advection/advection.h"
+#include "core/base/registry.h"
+#include "core/experiments/experiment.h"
+#include "core/forces/confinement.h"
+#include "core/measure/measures.h"
+#include "core/phases/last_advection.h"
+#include "core/pressure/projection.h"
+
+namespace whorl {
+
+/// What phases keep from step to step.
+struct Solvers {
+    Projection projection;
+    Confinement confinement;
+    Advection velocity, scalars;
+    std::vector<AdvectedField> moving;  ///< scalars, u, v; kept for its memory
+    /// Where an advection writes; after it, the fields as they were before.
+    Fields next;
+    /// Of the last advection; nothing where its fields or walls have changed since.
+    std::optional<AdvectionSetup> advected;
+};
+
+/// All that a phase works on.
+struct StepContext {
+    const Scene& scene;
+    const Experiment& experiment;
+    State& state;
+    Solvers& solvers;
+    Measures& report;  ///< what a phase tells of its work
+    Pool& pool;
+    double dt;  ///< of the phase, time
+
+    /// Whether the solver finds the flow.
+    bool solved() const { return experiment.flow == nullptr; }
+};
+
+struct Phase {
+    std::string_view key;
+    std::string_view title;
+    /// Allocates nothing.
+    void (*run)(const StepContext&);
+    /// Whether what it takes from the flow is numerical: it then counts for the effective viscosity.
+    bool dissipates = false;
+};
+
+/// All phases.
+Registry<Phase>& phases();
+
+}  // namespace whorl

@@ -1,0 +1,25 @@
+// The projection as a phase, with what it reports.
+#include "core/phases/phase.h"
+
+namespace whorl {
+namespace {
+
+void run(const StepContext& c) {
+    const ProjectionReport report =
+        c.solvers.projection.project(c.state.velocity, c.dt, c.state.boundary, c.state.pressure, c.pool);
+    Measures& m = c.report;
+    m.divergence_before = report.divergence_before;
+    m.divergence_after = report.divergence_after;
+    m.relative_divergence =
+        report.largest_speed > 0 ? report.divergence_after * c.state.grid().h / report.largest_speed : 0;
+    m.pressure = report.solve;
+    m.pressure.solver = report.solver;
+    m.pressure_why_not = report.why_not;
+    m.removed_mean = report.removed_mean;
+}
+
+}  // namespace
+
+extern const Phase projection_phase{"projection", "Projection", run};
+
+}  // namespace whorl
