@@ -110,20 +110,18 @@ void tab_chips(PanelContext& context) {
 
 }  // namespace
 
-Watch watched(const ViewSettings& view, const MeasureView& chosen) {
-    Watch watch = view.watch();
-    if (view.lessons && !view.shows_measures) return watch;
+std::vector<const Measure*> measures_in_sight(MeasureTab tab) {
+    std::vector<const Measure*> all;
     for (const Measure* measure : measures().all()) {
         const Page page = measure->plot.page;
         const bool of_budget = page == Page::Budget || page == Page::BudgetShares;
-        const bool in_sight = (chosen.tab == MeasureTab::Plots && page == Page::Plots) ||
-                              (chosen.tab == MeasureTab::Budget && of_budget) ||
-                              (chosen.tab == MeasureTab::Table && !measure->column.group.empty()) ||
+        const bool in_sight = (tab == MeasureTab::Plots && page == Page::Plots) ||
+                              (tab == MeasureTab::Budget && of_budget) ||
+                              (tab == MeasureTab::Table && !measure->column.group.empty()) ||
                               !measure->headline.symbol.empty();
-        // Limiters are watched where the view asks for them.
-        if (in_sight && measure->row) watch.measures.push_back(measure);
+        if (in_sight && measure->row) all.push_back(measure);
     }
-    return watch;
+    return all;
 }
 
 void draw_measure_column(PanelContext& context) {
@@ -133,10 +131,9 @@ void draw_measure_column(PanelContext& context) {
     ImGui::PopFont();
     const float width = theme.px(84);
     ImGui::SameLine(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - width);
-    const bool reading = context.view.lessons;
+    const bool reading = context.right_column.lessons;
     if (ImGui::Button(reading ? "Lesson" : "Lessons", {width, 0})) {
-        context.view.lessons = true;
-        context.view.shows_measures = false;
+        context.right_column.open_lessons();
     }
     context.log.control("lessons");
     context.tooltip.item(

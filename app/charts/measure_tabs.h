@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "app/charts/panel_context.h"
 #include "app/figure/sheet.h"
-#include "app/panels/panel.h"
 #include "app/plot/plot.h"
 
 namespace whorl::app {
@@ -28,7 +28,5 @@ std::vector<SheetPlot> plots_of(const History& history, const SessionSnapshot& m
 
 /// Whether lanes have errors: there is an exact solution, or a lane to be measured against.
 bool has_errors(const SessionSnapshot& moment);
-/// Whether the flow is solved for, not given.
-bool is_solved(const Snapshot& lane);
 
 }  // namespace whorl::app

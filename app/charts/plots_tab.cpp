@@ -152,10 +152,6 @@ void draw_frame_time(PanelContext& context, float height) {
 
 }  // namespace
 
-bool is_solved(const Snapshot& lane) {
-    return experiment(lane.scene.experiment).flow == nullptr;
-}
-
 bool has_errors(const SessionSnapshot& moment) {
     return moment.setup.reference != no_reference ||
            experiment(moment.setup.scene.experiment).exact != nullptr;

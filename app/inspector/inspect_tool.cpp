@@ -3,7 +3,12 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include <imgui.h>
+
 #include <algorithm>
+
+#include "app/inspector/list.h"
+#include "app/run/shared_state.h"
 
 namespace whorl::app {
 namespace {
@@ -27,41 +32,62 @@ bool walk(int key, const Grid& grid, WorldPoint& at) {
 
 }  // namespace
 
-bool InspectTool::take(const InputEvent& event, const FieldViewports& place, SessionClient& client,
-                       ViewSettings& view) {
+bool InspectTool::take(const InputEvent& event, const FieldViewports& fields) {
     using Kind = InputEvent::Kind;
-    Inspector& inspector = view.labs.inspector;
-    if (!inspector.open) {
+    if (!inspection_.open) {
         picking_ = false;
         return false;
     }
-    const FieldTile* tile = place.at(event.x, event.y);
+    const FieldTile* tile = fields.at(event.x, event.y);
     switch (event.kind) {
         case Kind::Press:
             if (event.code != GLFW_MOUSE_BUTTON_LEFT || event.mods != 0 || tile == nullptr) return false;
             picking_ = true;
-            inspector.goes_closer = view.window.whole();
-            pick(place, *tile, event.x, event.y, client, view);
+            inspection_.goes_closer = view_.window.whole();
+            pick(fields, *tile, event.x, event.y);
             return true;
         case Kind::Move:
-            if (picking_ && tile != nullptr) pick(place, *tile, event.x, event.y, client, view);
+            if (picking_ && tile != nullptr) pick(fields, *tile, event.x, event.y);
             return picking_;
         case Kind::Release:
             if (!picking_ || event.code != GLFW_MOUSE_BUTTON_LEFT) return false;
             picking_ = false;
             return true;
+        case Kind::Wheel:
+            if (tile != nullptr)
+                view_.window = fields.zoomed_about(view_.window, event.x, event.y, event.turn);
+            return true;
         case Kind::Key:
-            return inspector.picked && with_shift(event) &&
-                   walk(event.code, client.snapshot().grid(), inspector.node.at);
+            return inspection_.picked && with_shift(event) &&
+                   walk(event.code, run_.snapshot().grid(), inspection_.node.at);
         default:
             return false;
     }
 }
 
-void InspectTool::pick(const FieldViewports& place, const FieldTile& tile, double x, double y,
-                       SessionClient& client, ViewSettings& view) const {
-    view.labs.inspector.pick(place.world(tile, x, y));
-    client.select(tile.lane);
+void InspectTool::pick(const FieldViewports& fields, const FieldTile& tile, double x, double y) const {
+    inspection_.pick(fields.world(tile, x, y));
+    run_.select(tile.lane);
 }
+
+void InspectTool::hover_curves(double x, std::size_t lane) {
+    if (!inspection_.open) return;
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) run_.select(lane);
+    if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) inspection_.pick({x, 0.5 * run_.snapshot().grid().h});
+}
+
+std::span<const char* const> InspectTool::hints(bool curves) const {
+    static constexpr const char* all[] = {
+        "Click a cell to see the sum behind it  ·  wheel goes closer  ·  0 shows all  ·  I ends it",
+        "Click a cell  ·  wheel goes closer  ·  I ends it", "Click a cell  ·  I ends it", "Click a cell"};
+    if (!inspection_.open) return {};
+    // Curves have no zoom.
+    return std::span<const char* const>(all).subspan(curves ? 2 : 0);
+}
+
+const ToolEntry inspect_tool{
+    .key = "inspect", .mouse = {}, .keys = {}, .make = [](const Services& s) -> std::unique_ptr<Tool> {
+        return std::make_unique<InspectTool>(s.run, s.view, s.shared.of<Inspection>());
+    }};
 
 }  // namespace whorl::app

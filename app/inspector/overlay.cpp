@@ -4,7 +4,11 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/inspector/list.h"
 #include "app/render/text.h"
+#include "app/run/run_control.h"
+#include "app/run/shared_state.h"
+#include "app/ui/ui.h"
 
 namespace whorl::app {
 namespace {
@@ -22,21 +26,22 @@ bool cuts(const Sum& sum) {
 /// One tile's overlay.
 class Drawing {
   public:
-    Drawing(const PanelContext& context, const FieldViewports& place, const FieldTile& tile, ImDrawList& list)
-        : theme_(context.theme),
-          inspector_(context.view.labs.inspector),
+    Drawing(const Theme& theme, const Inspection& inspection, const Grid& grid, const FieldViewports& place,
+            const FieldTile& tile, ImDrawList& list)
+        : theme_(theme),
+          inspection_(inspection),
           place_(place),
           tile_(tile),
           list_(list),
           colours_(path_colours(theme_)),
-          h_(context.client.session().lanes[tile.lane].grid().h),
+          h_(grid.h),
           cell_(static_cast<float>(h_ * tile.rect.width / tile.width /
                                    static_cast<double>(place.window.high.x - place.window.low.x))) {}
 
     void draw(const Explanation& e) const {
         grid();
         outline(e);
-        const std::size_t shown = inspector_.shown(e);
+        const std::size_t shown = inspection_.shown(e);
         const BaseStep& step = e.steps[shown];
         // The whole scheme's limiter looks at the first step's enclosing nodes.
         bounds(step, cuts(sum_of(e, shown)) || (shown == 0 && cuts(e.sum)));
@@ -111,8 +116,8 @@ class Drawing {
     void dashes(ImVec2 from, ImVec2 to, ImU32 colour) const {
         const float length = std::hypot(to.x - from.x, to.y - from.y);
         const float dash = theme_.px(4);
-        const auto along = [&](float path) {
-            const float t = length > 0 ? path / length : 0;
+        const auto along = [&](float far) {
+            const float t = length > 0 ? far / length : 0;
             return ImVec2(from.x + t * (to.x - from.x), from.y + t * (to.y - from.y));
         };
         for (float x = 0; x < length; x += 2 * dash)
@@ -122,7 +127,7 @@ class Drawing {
     void nodes(const BaseStep& step) const {
         for (std::size_t k = 0; k < step.nodes.size(); ++k) {
             const KernelNode& node = step.nodes[k];
-            const bool pointed = inspector_.pointed && inspector_.pointed->term == k;
+            const bool pointed = inspection_.pointed && inspection_.pointed->term == k;
             const ImVec2 middle = at(node.at);
             const double weight = node.weight.value_or(0);
             if (!node.weight) {
@@ -178,7 +183,7 @@ class Drawing {
         const float whole = std::min(0.4f * apart, theme_.px(7));
         for (std::size_t k = 0; k < step.particles.size(); ++k) {
             const StencilParticle& p = step.particles[k];
-            const bool pointed = inspector_.pointed && inspector_.pointed->term == k;
+            const bool pointed = inspection_.pointed && inspection_.pointed->term == k;
             const ImVec2 start = at(p.path.start), end = at(p.path.end);
             list_.AddLine(start, end, faded(theme_.palette.text, 0.35f), theme_.thin());
             const float radius =
@@ -195,8 +200,8 @@ class Drawing {
 
     /// From the node to where its value is read, an arrow of straight pieces, over the paths to compare with.
     void path(const BaseStep& step) const {
-        dashed_way(step.euler, colours_.euler);
-        dashed_way(step.midpoint, colours_.midpoint);
+        dashed_path(step.euler, colours_.euler);
+        dashed_path(step.midpoint, colours_.midpoint);
         for (std::size_t k = 1; k < step.fine.size(); ++k)
             list_.AddLine(at(step.fine[k - 1]), at(step.fine[k]), colours_.fine, theme_.thin());
         const ImVec2 start = at(step.path.start), end = at(step.path.end);
@@ -208,7 +213,7 @@ class Drawing {
         line({read.x - arm, read.y}, {read.x + arm, read.y}, colours_.scheme, 1);
         line({read.x, read.y - arm}, {read.x, read.y + arm}, colours_.scheme, 1);
     }
-    void dashed_way(const Path& path, ImU32 colour) const {
+    void dashed_path(const Path& path, ImU32 colour) const {
         dashes(at(path.start), at(path.end), colour);
         dot(at(path.end), theme_.px(2), colour);
     }
@@ -224,7 +229,7 @@ class Drawing {
     }
 
     const Theme& theme_;
-    const Inspector& inspector_;
+    const Inspection& inspection_;
     const FieldViewports& place_;
     const FieldTile& tile_;
     ImDrawList& list_;
@@ -240,43 +245,46 @@ PathColours path_colours(const Theme& theme) {
     return {series[1], series[4], series[2], theme.palette.text};
 }
 
-void draw_inspected(const PanelContext& context, const FieldViewports& place, ImDrawList& list) {
-    if (!context.view.labs.inspector.open) return;
+void InspectedOverlay::draw(const FieldViewports& fields, ImDrawList& list, bool) {
+    if (!inspection_.open) return;
     const ImVec2 mouse = ImGui::GetIO().MousePos;
-    const FieldTile* under = place.at(static_cast<double>(mouse.x), static_cast<double>(mouse.y));
-    for (const FieldTile& tile : place.tiles) {
+    const FieldTile* under = fields.at(static_cast<double>(mouse.x), static_cast<double>(mouse.y));
+    for (const FieldTile& tile : fields.tiles) {
+        const Snapshot& lane = run_.session().lanes[tile.lane];
         const ImVec2 low{static_cast<float>(tile.part.x), static_cast<float>(tile.part.y)};
         const ImVec2 high{low.x + static_cast<float>(tile.part.width),
                           low.y + static_cast<float>(tile.part.height)};
         list.PushClipRect(low, high, true);
-        const Drawing drawing(context, place, tile, list);
-        if (const auto& explanation = context.client.session().lanes[tile.lane].explanation)
-            drawing.draw(*explanation);
+        const Drawing drawing(theme_, inspection_, lane.grid(), fields, tile, list);
+        if (lane.explanation) drawing.draw(*lane.explanation);
         if (&tile == under) drawing.point_out(mouse);
         list.PopClipRect();
     }
 }
 
-std::vector<PlotMark> inspected_marks(const PanelContext& context) {
+std::vector<PlotMark> InspectedOverlay::marks() const {
     std::vector<PlotMark> marks;
-    const Inspector& inspector = context.view.labs.inspector;
-    const auto& explanation = context.snapshot().explanation;
-    if (!inspector.watched() || !explanation) return marks;
-    const BaseStep& step = explanation->steps[inspector.shown(*explanation)];
-    const PathColours colours = path_colours(context.theme);
+    const auto& explanation = run_.snapshot().explanation;
+    if (!inspection_.watched() || !explanation) return marks;
+    const BaseStep& step = explanation->steps[inspection_.shown(*explanation)];
+    const PathColours colours = path_colours(theme_);
     for (const KernelNode& node : step.nodes) {
         if (node.at.y < 0 || node.j != step.j) continue;
         const double weight = node.weight.value_or(0.25);
-        marks.push_back({node.at.x, node.value,
-                         weight < 0 ? context.theme.palette.accent : context.theme.palette.text,
+        marks.push_back({node.at.x, node.value, weight < 0 ? theme_.palette.accent : theme_.palette.text,
                          3 + 6 * static_cast<float>(std::sqrt(std::min(1.0, std::abs(weight)))), false});
     }
     for (const StencilParticle& particle : step.particles)
         marks.push_back({particle.path.end.x, particle.value, colours.scheme, 3});
     marks.push_back(
-        {step.read.x, sum_of(*explanation, inspector.shown(*explanation)).value(), colours.fine, 4});
+        {step.read.x, sum_of(*explanation, inspection_.shown(*explanation)).value(), colours.fine, 4});
     marks.push_back({explanation->at.x, explanation->now, colours.scheme, 6, false});
     return marks;
 }
+
+const OverlayEntry inspected_overlay{
+    .key = "inspected", .make = [](const Services& s) -> std::unique_ptr<FieldOverlay> {
+        return std::make_unique<InspectedOverlay>(s.ui.theme, s.run, s.shared.of<Inspection>());
+    }};
 
 }  // namespace whorl::app

@@ -9,7 +9,6 @@
 #include "app/inspector/overlay.h"
 #include "app/inspector/sum_view.h"
 #include "app/render/text.h"
-#include "app/ui/widgets.h"
 #include "app/ui/wrapped_text.h"
 
 namespace whorl::app {
@@ -87,8 +86,8 @@ void draw_magnified(const Theme& theme, const std::array<Named, 3>& paths, World
 
 }  // namespace
 
-void draw_path_magnifier(PanelContext& context, const BaseStep& step, double h) {
-    const Theme& theme = context.theme;
+void draw_path_magnifier(Ui& ui, const BaseStep& step, double h) {
+    const Theme& theme = ui.theme;
     const PathColours colours = path_colours(theme);
     const WorldPoint exact = step.fine.empty() ? step.path.end : step.fine.back();
     const std::array<Named, 3> paths{{{"Euler", step.euler.end, colours.euler},
@@ -97,13 +96,11 @@ void draw_path_magnifier(PanelContext& context, const BaseStep& step, double h) 
     const float side = theme.px(92);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::Dummy({side, side});
-    context.log.control("inspector-lens");
-    context.tooltip.item(
-        theme, "inspector-lens",
-        {"Where the ways end",
-         "Seen close: the departure point by Euler, by midpoint, and by many small steps of a "
-         "method of fourth order, which is as good as exact.",
-         "The bar is a part of a cell", "thesis eq. 3.3–3.5", ""});
+    ui.explain("inspector-lens",
+               {"Where the ways end",
+                "Seen close: the departure point by Euler, by midpoint, and by many small steps of a "
+                "method of fourth order, which is as good as exact.",
+                "The bar is a part of a cell", "thesis eq. 3.3–3.5", ""});
     draw_magnified(theme, paths, step.path.start, h, corner, side);
     const float left = corner.x + side + theme.px(10);
     const float room = corner.x + ImGui::GetContentRegionAvail().x - left;

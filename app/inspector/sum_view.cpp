@@ -147,8 +147,8 @@ class Columns {
 
 class SumView {
   public:
-    SumView(PanelContext& context, const Explanation& explanation, Inspector& inspector)
-        : theme_(context.theme), explanation_(explanation), inspector_(inspector) {}
+    SumView(const Theme& theme, const Explanation& explanation, Inspection& inspection)
+        : theme_(theme), explanation_(explanation), inspection_(inspection) {}
 
     /// @param place  among the parts of the sum that it is a part of
     void draw(const Sum& sum, std::size_t place, bool open) {
@@ -209,7 +209,7 @@ class SumView {
             if (!columns.line(sum.terms[k])) continue;
             const std::optional<std::size_t> step = step_of(sum);
             if (!step) continue;
-            inspector_.pointed = {*step, k};
+            inspection_.pointed = {*step, k};
             const ImVec2 high{corner.x + ImGui::GetContentRegionAvail().x, ImGui::GetItemRectMax().y};
             ImGui::GetWindowDrawList()->AddRectFilled({corner.x - theme_.px(3), corner.y}, high,
                                                       faded(theme_.palette.accent, 0.15f), theme_.px(3));
@@ -252,7 +252,7 @@ class SumView {
 
     const Theme& theme_;
     const Explanation& explanation_;
-    Inspector& inspector_;
+    Inspection& inspection_;
 };
 
 }  // namespace
@@ -261,9 +261,9 @@ std::string written(double value, int digits) {
     return figure(value + 0.0, digits);
 }
 
-void draw_sums(PanelContext& context, const Explanation& explanation, Inspector& inspector) {
-    inspector.pointed.reset();
-    SumView(context, explanation, inspector).draw(explanation.sum, 0, true);
+void draw_sums(const Theme& theme, const Explanation& explanation, Inspection& inspection) {
+    inspection.pointed.reset();
+    SumView(theme, explanation, inspection).draw(explanation.sum, 0, true);
 }
 
 }  // namespace whorl::app

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "app/render/text.h"
-#include "app/ui/widgets.h"
 
 namespace whorl::app {
 
@@ -14,21 +13,6 @@ ImU32 interpolation_colour(const Theme& theme, std::size_t k) {
     if (k < hues) return theme.palette.series[k];
     // The B-spline, which misses the points, is not in their white.
     return k == hues ? theme.palette.text_dim : theme.palette.text;
-}
-
-float chip_width(int count) {
-    const float gap = std::floor(0.5f * ImGui::GetStyle().ItemSpacing.x);
-    return std::floor((ImGui::GetContentRegionAvail().x + gap) / static_cast<float>(count) - gap);
-}
-
-bool lab_chip(PanelContext& context, const std::string& key, const TooltipText& help, bool chosen,
-              float width, bool first) {
-    if (!first) ImGui::SameLine(0, std::floor(0.5f * ImGui::GetStyle().ItemSpacing.x));
-    const std::string label = fitted(help.title, width) + "##" + key;
-    const bool clicked = chip(context.theme, label.c_str(), chosen, width);
-    context.log.control(key);
-    context.tooltip.item(context.theme, key, help);
-    return clicked;
 }
 
 void swatch(const Theme& theme, ImVec2 middle, ImU32 colour, bool filled) {
@@ -43,16 +27,14 @@ void swatch(const Theme& theme, ImVec2 middle, ImU32 colour, bool filled) {
     }
 }
 
-bool legend_toggle(PanelContext& context, const std::string& key, const SchemeInfo& info, ImU32 colour,
-                   bool shown, float width) {
-    const Theme& theme = context.theme;
+bool legend_toggle(Ui& ui, const std::string& key, const SchemeInfo& info, ImU32 colour, bool shown,
+                   float width) {
+    const Theme& theme = ui.theme;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float height = theme.body->FontSize + theme.px(8);
     const bool clicked = ImGui::InvisibleButton(key.c_str(), {width, height});
     const bool hovered = ImGui::IsItemHovered();
-    context.log.control(key);
-    context.tooltip.item(theme, key,
-                         {info.label, info.help, "Click to show it or leave it out", info.source, ""});
+    ui.explain(key, {info.label, info.help, "Click to show it or leave it out", info.source, ""});
     const float left = theme.px(20);
     const float middle = std::floor(at.y + 0.5f * height);
     swatch(theme, {at.x + theme.px(9), middle}, colour, shown);

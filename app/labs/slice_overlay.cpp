@@ -1,7 +1,12 @@
 #include "app/labs/slice_overlay.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
+
+#include "app/labs/list.h"
+#include "app/run/run_control.h"
+#include "app/run/shared_state.h"
 
 namespace whorl::app {
 namespace {
@@ -18,8 +23,8 @@ struct TileLine {
 
     /// The part of it that is nearest to a pixel, 0 to 1.
     double nearest(glm::dvec2 pixel) const {
-        const glm::dvec2 way = to - from;
-        return std::clamp(glm::dot(pixel - from, way) / glm::dot(way, way), 0.0, 1.0);
+        const glm::dvec2 along = to - from;
+        return std::clamp(glm::dot(pixel - from, along) / glm::dot(along, along), 0.0, 1.0);
     }
     glm::dvec2 at(double part) const { return from + part * (to - from); }
 };
@@ -58,15 +63,6 @@ void draw_line(ImDrawList& list, const Theme& theme, const FieldTile& tile, cons
     list.PopClipRect();
 }
 
-/// The grip under a pointer that could take hold of it: the brush's buttons and keys come first.
-std::optional<SliceHit> under_pointer(const PanelContext& context, const FieldViewports& place) {
-    const ImGuiIO& io = ImGui::GetIO();
-    if (io.KeyShift || io.KeyCtrl || io.KeyAlt || ImGui::IsAnyMouseDown()) return std::nullopt;
-    return hit_slice(context.view.labs.slice.line, context.client.session(), place,
-                     {static_cast<double>(io.MousePos.x), static_cast<double>(io.MousePos.y)},
-                     context.theme.scale);
-}
-
 }  // namespace
 
 std::optional<SliceHit> hit_slice(const SliceLine& line, const SessionSnapshot& session,
@@ -88,19 +84,15 @@ std::optional<SliceHit> hit_slice(const SliceLine& line, const SessionSnapshot& 
     return std::nullopt;
 }
 
-void draw_slice_line(const PanelContext& context, const FieldViewports& place, ImDrawList& list) {
-    SliceLab& lab = context.view.labs.slice;
-    const auto hit = lab.open ? under_pointer(context, place) : std::nullopt;
-    lab.under_pointer = hit ? hit->grip : SliceGrip::None;
-    lab.pointed_on_field = hit ? std::optional(hit->part) : std::nullopt;
-    if (!lab.open) return;
-    const Theme& theme = context.theme;
-    const SliceGrip grip = lab.grip();
+void SliceOverlay::draw(const FieldViewports& fields, ImDrawList& list, bool) {
+    if (!slice_.open) return;
+    const Theme& theme = ui_.theme;
+    const SliceGrip grip = slice_.grip();
     if (grip != SliceGrip::None)
         ImGui::SetMouseCursor(grip == SliceGrip::Whole ? ImGuiMouseCursor_ResizeAll : ImGuiMouseCursor_Hand);
-    const auto pointed = hit ? lab.pointed_on_field : lab.pointed_in_plot;
-    for (const FieldTile& tile : place.tiles) {
-        const TileLine line = on_tile(lab.line, context.client.session(), place, tile);
+    const auto pointed = slice_.pointed_on_field ? slice_.pointed_on_field : slice_.pointed_in_plot;
+    for (const FieldTile& tile : fields.tiles) {
+        const TileLine line = on_tile(slice_.line, run_.session(), fields, tile);
         draw_line(list, theme, tile, line, grip == SliceGrip::Whole);
         const auto colour = [&](SliceGrip end) {
             return grip == end ? theme.palette.accent : theme.palette.text;
@@ -116,12 +108,17 @@ void draw_slice_line(const PanelContext& context, const FieldViewports& place, I
         list.PopClipRect();
         const std::string lane = std::to_string(tile.lane + 1);
         const float side = 2 * theme.px(end_radius);
-        const auto trace = [&](const char* key, glm::dvec2 at) {
-            context.log.rect(key + lane, vec(at).x - side / 2, vec(at).y - side / 2, side, side);
+        const auto note = [&](const char* key, glm::dvec2 at) {
+            ui_.log.rect(key + lane, vec(at).x - side / 2, vec(at).y - side / 2, side, side);
         };
-        trace("line-from=", line.from);
-        trace("line-to=", line.to);
+        note("line-from=", line.from);
+        note("line-to=", line.to);
     }
 }
+
+const OverlayEntry slice_overlay{.key = "slice",
+                                 .make = [](const Services& s) -> std::unique_ptr<FieldOverlay> {
+                                     return std::make_unique<SliceOverlay>(s.ui, s.run, s.shared.of<Slice>());
+                                 }};
 
 }  // namespace whorl::app

@@ -1,13 +1,14 @@
-// The slice's line over the fields: where it is on screen, what the pointer is near, and its picture.
+// The slice's line over the fields: where it is on screen, what of it is near a pixel, and its picture.
 #pragma once
 
 #include <imgui.h>
 
 #include <optional>
 
-#include "app/labs/lab_state.h"
-#include "app/panels/panel.h"
-#include "app/ui/field_viewports.h"
+#include "app/labs/slice_state.h"
+#include "app/run/field_overlay.h"
+#include "app/run/run_view.h"
+#include "app/ui/ui.h"
 
 namespace whorl::app {
 
@@ -23,7 +24,17 @@ struct SliceHit {
 std::optional<SliceHit> hit_slice(const SliceLine& line, const SessionSnapshot& session,
                                   const FieldViewports& place, glm::dvec2 pixel, float point);
 
-/// Draws the line with its ends over each field while its window is open, and sees what the pointer is near.
-void draw_slice_line(const PanelContext& context, const FieldViewports& place, ImDrawList& list);
+/// The line with its ends over each field, while its window is open.
+class SliceOverlay final : public FieldOverlay {
+  public:
+    SliceOverlay(Ui& ui, const RunView& run, Slice& slice) : ui_(ui), run_(run), slice_(slice) {}
+
+    void draw(const FieldViewports& fields, ImDrawList& list, bool claimed) override;
+
+  private:
+    Ui& ui_;
+    const RunView& run_;
+    Slice& slice_;
+};
 
 }  // namespace whorl::app

@@ -1,22 +1,26 @@
 // From the pointer to the slice's line on the field.
 #pragma once
 
-#include "app/labs/lab_state.h"
-#include "app/ui/field_viewports.h"
-#include "app/ui/input_event.h"
-#include "core/session/snapshot.h"
+#include "app/labs/slice_state.h"
+#include "app/render/theme.h"
+#include "app/run/run_view.h"
+#include "app/run/tool.h"
 
 namespace whorl::app {
 
 /// Drags an end of the line, or all of it, while the slice's window is open.
-class SliceTool {
+class SliceTool final : public Tool {
   public:
-    /// @param point pixels to a point
-    /// @return whether the event was meant for the line, and is nobody else's
-    bool take(const InputEvent& event, const FieldViewports& place, const SessionSnapshot& session,
-              float point, SliceLab& lab);
+    SliceTool(const Theme& theme, const RunView& run, Slice& slice)
+        : theme_(theme), run_(run), slice_(slice) {}
+
+    bool take(const InputEvent& event, const FieldViewports& fields) override;
+    bool hover(const FieldViewports& fields) override;
 
   private:
+    const Theme& theme_;
+    const RunView& run_;
+    Slice& slice_;
     std::size_t lane_ = 0;  ///< on whose tile the drag began
     glm::dvec2 began_{};    ///< there, in fractions of the domain
     SliceLine before_;      ///< the line at that time

@@ -3,18 +3,24 @@
 #include <imgui.h>
 
 #include <cstdio>
-
-#include "app/ui/widgets.h"
-#include "core/base/number.h"
+#include <utility>
 
 namespace whorl::app {
 namespace {
 
-void state_lines(PanelContext& context) {
-    const Snapshot& s = context.snapshot();
-    const SessionSnapshot& session = context.client.session();
-    const Palette& palette = context.theme.palette;
-    ImGui::PushFont(context.theme.title);
+/// Opens a panel and scrolls to it.
+void show(const char* title) {
+    ImGui::GetStateStorage()->SetBool(ImGui::GetID(title), true);
+    ImGui::SetScrollFromPosY(ImGui::GetCursorPosY() - ImGui::GetScrollY(), 0);
+}
+
+}  // namespace
+
+void ControlColumn::state_lines() {
+    const Snapshot& s = run_.snapshot();
+    const SessionSnapshot& session = run_.session();
+    const Palette& palette = ui_.theme.palette;
+    ImGui::PushFont(ui_.theme.title);
     ImGui::TextUnformatted("Whorl");
     ImGui::PopFont();
     char line[96];
@@ -30,34 +36,27 @@ void state_lines(PanelContext& context) {
     if (session.lanes.size() > 1)
         end = std::snprintf(line, sizeof line, "%zu lanes  ·  ", session.lanes.size());
     std::snprintf(line + end, sizeof line - static_cast<std::size_t>(end), "%.0f frames/s  ·  %.0f steps/s",
-                  context.frames.frames_per_second(), context.client.steps_per_second());
+                  frames_.frames_per_second(), run_.steps_per_second());
     text(palette.text_dim, line);
     ImGui::Separator();
-    ImGui::Dummy({0, context.theme.px(1)});
+    ImGui::Dummy({0, ui_.theme.px(1)});
 }
 
-/// Opens a panel and scrolls to it.
-void show(const Panel& panel) {
-    ImGui::GetStateStorage()->SetBool(ImGui::GetID(panel.title), true);
-    ImGui::SetScrollFromPosY(ImGui::GetCursorPosY() - ImGui::GetScrollY(), 0);
-}
-
-}  // namespace
-
-void draw_control_column(PanelContext& context) {
-    state_lines(context);
+void ControlColumn::draw(std::string_view wanted) {
+    state_lines();
     ImGui::BeginChild("panels", {0, 0}, false, ImGuiWindowFlags_NoNav);  // Tab shows another lane
-    if (context.view.tour.take_back_up()) ImGui::SetScrollY(0);
+    if (std::exchange(to_top_, false)) ImGui::SetScrollY(0);
     bool first = true;
-    for (const Panel& panel : panels()) {
-        if (context.view.tour.wanted_panel() == std::string_view(panel.title)) show(panel);
+    for (const Part& part : panels_) {
+        const char* const title = part.entry->title;
+        if (wanted == title) show(title);
         // What every run needs comes without a heading.
-        const bool open = first || heading(context.theme, panel.title, panel.open);
-        context.log.control("panel=" + std::string(panel.title));
+        const bool open = first || heading(ui_.theme, title, part.entry->open);
+        ui_.log.control("panel=" + std::string(title));
         first = false;
         if (open) {
-            ImGui::PushID(panel.title);
-            panel.draw(context);
+            ImGui::PushID(title);
+            part.panel->draw();
             ImGui::PopID();
         }
     }

@@ -4,8 +4,6 @@
 #include <array>
 #include <limits>
 
-#include "app/inspector/overlay.h"
-#include "app/panels/field_header.h"
 #include "app/plot/plot.h"
 
 namespace whorl::app {
@@ -29,7 +27,7 @@ Series series_of(const Curve& curve, std::string_view label, ImU32 colour, bool 
     return {label, colour, curve.y, dots, curve.x};
 }
 
-/// One scale for all times, so that a bump that sinks is seen to sink; it makes path for what overshoots.
+/// One scale for all times, so that a bump that sinks is seen to sink; it makes way for what overshoots.
 Interval steady_scale(std::span<const Curve> curves, double most) {
     float least = 0;
     for (const Curve& curve : curves) {
@@ -58,22 +56,22 @@ std::size_t nearest(std::span<const std::size_t> lanes, std::span<const float> a
 
 }  // namespace
 
-void draw_curve_view(PanelContext& context, ImVec2 size) {
-    const Theme& theme = context.theme;
-    const Snapshot& selected = context.snapshot();
-    const View& view = context.fields.view();
-    const bool several = context.names.size() > 1;
-    const bool compares = selected.has_exact && &view == views().front() && !context.fields.difference();
+void CurveView::draw(ImVec2 size) {
+    const Theme& theme = ui_.theme;
+    const Snapshot& selected = run_.snapshot();
+    const View& view = fields_.view();
+    const bool several = run_.names().size() > 1;
+    const bool compares = selected.has_exact && &view == views().front() && !fields_.difference();
 
     std::array<Curve, Setup::max_lanes> curves;
     Curve exact;
     std::vector<Series> series;
     std::vector<std::size_t> lanes;  // of the series
-    for (std::size_t k = 0; k < context.names.size(); ++k) {
-        if (context.fields.of(k) == nullptr) continue;
-        curves[k] = curve_of(*context.fields.of(k), context.client.session().lanes[k].grid());
+    for (std::size_t k = 0; k < run_.names().size(); ++k) {
+        if (fields_.of(k) == nullptr) continue;
+        curves[k] = curve_of(*fields_.of(k), run_.session().lanes[k].grid());
         const std::string_view alone = compares ? "numerical" : view.label;
-        series.push_back(series_of(curves[k], several ? context.names.name(k) : alone,
+        series.push_back(series_of(curves[k], several ? run_.names().name(k) : alone,
                                    theme.lane(static_cast<int>(k)), !several));
         lanes.push_back(k);
     }
@@ -83,27 +81,24 @@ void draw_curve_view(PanelContext& context, ImVec2 size) {
         series.push_back(series_of(exact, "exact", colour, false));
     }
     Plot plot;
-    const std::string difference = context.fields.difference() ? shown_quantity(context) : std::string();
+    const std::string difference =
+        fields_.difference() ? shown_quantity(fields_, run_.names()) : std::string();
     plot.title = difference.empty() ? selected.scene.title : difference;
     plot.x_name = "x";
     plot.x_first = 0.5 * selected.grid().h;
     plot.x_stride = selected.grid().h;
-    const Range ends = context.view.range.ends();
-    if (context.view.range.held()) {
+    const Range ends = view_.range.ends();
+    if (view_.range.held()) {
         plot.y_range = Interval{static_cast<double>(ends.lo), static_cast<double>(ends.hi)};
     } else if (compares) {
         plot.y_range = steady_scale(curves, static_cast<double>(ends.hi));
     }
     plot.size = size;
-    const std::vector<PlotMark> marks = inspected_marks(context);
+    const std::vector<PlotMark> marks = layers_.marks();
     plot.marks = marks;
     std::vector<float> away;
     const std::optional<double> x = draw_plot(theme, plot, series, &away);
-    Inspector& inspector = context.view.labs.inspector;
-    if (!x || !inspector.open) return;
-    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left))
-        context.client.select(nearest(lanes, away, context.client.selected()));
-    if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) inspector.pick({*x, 0.5 * selected.grid().h});
+    if (x) layers_.hover_curves(*x, nearest(lanes, away, run_.selected()));
 }
 
 }  // namespace whorl::app

@@ -1,23 +1,42 @@
-// The centre: the fields' places, titles, colour bar and what lies over them.
+// The centre: the fields' titles, colour bar and what lies over them.
 #pragma once
 
-#include "app/panels/panel.h"
-#include "app/ui/field_viewports.h"
+#include "app/panels/curve_view.h"
+#include "app/panels/field_header.h"
+#include "app/panels/lane_tile.h"
+#include "app/run/field_layers.h"
 
 namespace whorl::app {
 
-/// What decides how the centre is divided.
-struct FieldShape {
-    Grid grid;  ///< of the first lane
-    int lanes = 1;
-    int tiles = 1;  ///< fields side by side
+class FieldArea {
+  public:
+    FieldArea(Ui& ui, RunControl& run, ViewSettings& view, const LaneFields& fields, FieldLayers& layers)
+        : ui_(ui),
+          run_(run),
+          view_(view),
+          fields_(fields),
+          layers_(layers),
+          header_(ui, run, view, fields),
+          lane_tiles_(ui, run, fields),
+          curves_(ui, run, view, fields, layers) {}
+
+    /// Fills the current ImGui window with all but the fields themselves, which lie behind it.
+    /// @param covered  something that is drawn later lies over the fields
+    /// @return where the fields are
+    FieldViewports draw(bool covered);
+
+  private:
+    void draw_titles(const FieldViewports& place);
+    void draw_fields(const FieldViewports& place, const PixelRect& all);
+
+    Ui& ui_;
+    RunControl& run_;
+    ViewSettings& view_;
+    const LaneFields& fields_;
+    FieldLayers& layers_;
+    FieldHeader header_;
+    LaneTiles lane_tiles_;
+    CurveView curves_;
 };
-FieldShape field_shape(const SessionSnapshot& session, const ViewSettings& view);
-
-/// Width that the largest fields take of a centre column of this size, pixels.
-float field_width_for(const Theme& theme, const FieldShape& shape, ImVec2 room);
-
-/// Fills the current ImGui window with all but the fields themselves, which lie behind it.
-FieldViewports draw_field_area(PanelContext& context);
 
 }  // namespace whorl::app

@@ -7,50 +7,11 @@
 
 #include "app/film/child.h"
 #include "app/panels/dialogs.h"
-#include "app/ui/widgets.h"
 
 namespace whorl::app {
 namespace {
 
 using Kind = FilmOptions::Kind;
-
-void kind_row(PanelContext& context) {
-    constexpr std::pair<Kind, const char*> kinds[] = {
-        {Kind::Mp4, "MP4"}, {Kind::Gif, "GIF"}, {Kind::Pictures, "PNGs"}};
-    constexpr const char* help[] = {"A video. Needs ffmpeg.", "A moving picture for web pages. Needs ffmpeg.",
-                                    "A folder of numbered pictures. Needs nothing."};
-    row_label(context.theme, "Format");
-    const float gap = ImGui::GetStyle().ItemSpacing.x;
-    const float width = std::floor((ImGui::GetContentRegionAvail().x - 2 * gap) / 3);
-    for (const auto& [kind, label] : kinds) {
-        if (kind != Kind::Mp4) ImGui::SameLine();
-        if (chip(context.theme, label, context.files.film.kind == kind, width))
-            context.files.film.kind = kind;
-        const std::string key = "film=" + std::string(label);
-        context.log.control(key);
-        context.tooltip.item(context.theme, key, {label, help[static_cast<int>(kind)], "", "", ""});
-    }
-}
-
-void numbers(PanelContext& context) {
-    const Theme& theme = context.theme;
-    FilmOptions& film = context.files.film;
-    row_label(theme, "Steps a picture");
-    slider(theme, "##every", film.every, {1, 20}, "");
-    film.every = std::clamp(film.every, 1, 1000);
-    context.log.control("film-every");
-    context.tooltip.item(theme, "film-every",
-                         {"Steps a picture", "Steps from one picture to the next.", "", "", ""});
-    ImGui::BeginDisabled(film.kind == Kind::Pictures);
-    row_label(theme, "Pictures a second");
-    slider(theme, "##fps", film.frames_per_second, {5, 60}, "");
-    film.frames_per_second = std::clamp(film.frames_per_second, 1, 60);
-    ImGui::EndDisabled();
-    context.log.control("film-fps");
-    context.tooltip.item(theme, "film-fps",
-                         {"Pictures a second", "How fast it plays.", "", "",
-                          film.kind == Kind::Pictures ? "Numbered pictures have no speed." : ""});
-}
 
 /// How long it gets.
 std::string length(const FilmOptions& film, long steps) {
@@ -67,40 +28,67 @@ std::string length(const FilmOptions& film, long steps) {
 
 }  // namespace
 
-void draw_film_dialog(PanelContext& context) {
-    const Theme& theme = context.theme;
-    FileRequests& files = context.files;
-    if (std::exchange(files.ask_film, false)) {
-        files.has_ffmpeg = !find_program("ffmpeg").empty();
-        if (!files.has_ffmpeg) files.film.kind = Kind::Pictures;
+void FilmDialog::kind_row() {
+    constexpr std::pair<Kind, const char*> kinds[] = {
+        {Kind::Mp4, "MP4"}, {Kind::Gif, "GIF"}, {Kind::Pictures, "PNGs"}};
+    constexpr const char* help[] = {"A video. Needs ffmpeg.", "A moving picture for web pages. Needs ffmpeg.",
+                                    "A folder of numbered pictures. Needs nothing."};
+    row_label(ui_.theme, "Format");
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    const float width = std::floor((ImGui::GetContentRegionAvail().x - 2 * gap) / 3);
+    for (const auto& [kind, label] : kinds) {
+        if (kind != Kind::Mp4) ImGui::SameLine();
+        const std::string key = "film=" + std::string(label);
+        if (ui_.chip(label, key, files_.film.kind == kind, width,
+                     {label, help[static_cast<int>(kind)], "", "", ""}))
+            files_.film.kind = kind;
+    }
+}
+
+void FilmDialog::numbers() {
+    FilmOptions& film = files_.film;
+    row_label(ui_.theme, "Steps a picture");
+    ui_.slider("##every", "film-every", film.every, {1, 20},
+               {"Steps a picture", "Steps from one picture to the next.", "", "", ""});
+    film.every = std::clamp(film.every, 1, 1000);
+    const char* const still = film.kind == Kind::Pictures ? "Numbered pictures have no speed." : "";
+    ImGui::BeginDisabled(film.kind == Kind::Pictures);
+    row_label(ui_.theme, "Pictures a second");
+    ImGui::EndDisabled();
+    ui_.slider("##fps", "film-fps", film.frames_per_second, {5, 60},
+               {"Pictures a second", "How fast it plays.", "", "", still});
+    film.frames_per_second = std::clamp(film.frames_per_second, 1, 60);
+}
+
+void FilmDialog::draw() {
+    const Theme& theme = ui_.theme;
+    if (std::exchange(files_.ask_film, false)) {
+        has_ffmpeg_ = !find_program("ffmpeg").empty();
+        if (!has_ffmpeg_) files_.film.kind = Kind::Pictures;
         ImGui::OpenPopup("Record animation");
     }
-    if (!begin_dialog(context, "Record animation", 440)) return;
-    kind_row(context);
-    numbers(context);
-    const bool missing = !files.has_ffmpeg && files.film.kind != Kind::Pictures;
+    if (!begin_dialog(theme, files_, "Record animation", 440)) return;
+    kind_row();
+    numbers();
+    const bool missing = !has_ffmpeg_ && files_.film.kind != Kind::Pictures;
     text(missing ? theme.palette.accent : theme.palette.text_dim,
          missing ? "ffmpeg is not installed: only numbered pictures can be made."
-                 : length(files.film, context.client.session().step));
+                 : length(files_.film, run_.session().step));
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     const float width = std::floor((ImGui::GetContentRegionAvail().x - gap) / 2);
-    ImGui::BeginDisabled(missing);
-    if (ImGui::Button("Record", {width, 0}) || (files.enter && !missing)) {
-        files.make_film = files.film;
+    const bool pressed = ui_.button("Record", "film-do", width,
+                                    {"",
+                                     "Works the run out again, beside the window, and writes it into the "
+                                     "folder the program was started in.",
+                                     "Key: Enter", "", ""},
+                                    !missing);
+    if (pressed || (files_.enter && !missing)) {
+        files_.make_film = files_.film;
         ImGui::CloseCurrentPopup();
     }
-    ImGui::EndDisabled();
-    context.log.control("film-do");
-    context.tooltip.item(
-        theme, "film-do",
-        {"",
-         "Works the run out again, beside the window, and writes it into the folder the program "
-         "was started in.",
-         "Key: Enter", "", ""});
     ImGui::SameLine();
-    if (ImGui::Button("Cancel", {width, 0})) ImGui::CloseCurrentPopup();
-    context.log.control("film-close");
-    context.tooltip.item(theme, "film-close", {"", "Makes no animation.", "Key: Esc", "", ""});
+    if (ui_.button("Cancel", "film-close", width, {"", "Makes no animation.", "Key: Esc", "", ""}))
+        ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
 }
 

@@ -11,11 +11,6 @@ namespace {
 
 constexpr ImU32 stopped_colour = IM_COL32(74, 26, 22, 240);
 
-bool is_reference(const PanelContext& context, std::size_t lane) {
-    if (context.fields.difference()) return lane == context.fields.reference();
-    return static_cast<int>(lane) == context.client.session().setup.reference;
-}
-
 /// A line of text, cut with an ellipsis. @return its width
 float line(ImDrawList& list, const ImFont& font, ImVec2 at, float room, ImU32 colour,
            const std::string& text) {
@@ -24,33 +19,21 @@ float line(ImDrawList& list, const ImFont& font, ImVec2 at, float room, ImU32 co
     return text_width(font, shown);
 }
 
-void title_help(PanelContext& context, std::size_t lane, const std::string& key) {
-    const Snapshot& s = context.client.session().lanes[lane];
-    std::string state = std::to_string(s.grid().nx) + " × " + std::to_string(s.grid().ny);
-    if (is_reference(context, lane)) state += " · the reference lane";
-    state += lane == context.client.selected() ? " · selected" : " · click to select";
-    const std::string stopped = s.failure ? "Stopped at " + *s.failure : std::string();
-    context.tooltip.item(
-        context.theme, key,
-        {context.names.name(lane), said_of(context.names.difference(lane)), state, "", stopped});
-}
-
 }  // namespace
 
 float lane_title_height(const Theme& theme) {
     return theme.body->FontSize + theme.px(12);
 }
 
-void draw_lane_title(PanelContext& context, std::size_t lane, ImVec2 corner, float width) {
-    const Theme& theme = context.theme;
-    const bool selected = lane == context.client.selected();
+void LaneTiles::draw_title(std::size_t lane, ImVec2 corner, float width) {
+    const Theme& theme = ui_.theme;
+    const bool selected = lane == run_.selected();
     const std::string key = "lane-title=" + std::to_string(lane + 1);
     ImGui::SetCursorScreenPos(corner);
     if (ImGui::InvisibleButton(key.c_str(), {std::max(1.0f, width), lane_title_height(theme)}))
-        context.client.select(lane);
+        run_.select(lane);
     const bool hovered = ImGui::IsItemHovered();
-    context.log.control(key);
-    title_help(context, lane, key);
+    title_help(lane, key);
 
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float top = corner.y + theme.px(5);
@@ -61,7 +44,7 @@ void draw_lane_title(PanelContext& context, std::size_t lane, ImVec2 corner, flo
     float x = corner.x + swatch + theme.px(7);
     float right = corner.x + width;
     const float small_top = top + theme.body->Ascent - theme.small->Ascent;
-    if (is_reference(context, lane)) {
+    if (is_reference(lane)) {
         const float tag = text_width(*theme.small, "reference");
         if (width > 2.2f * tag) {
             right -= tag;
@@ -71,15 +54,15 @@ void draw_lane_title(PanelContext& context, std::size_t lane, ImVec2 corner, flo
     }
     const ImU32 colour = selected || hovered ? theme.palette.text : theme.palette.text_dim;
     x += line(list, selected ? *theme.bold : *theme.body, {x, top}, right - x, colour,
-              context.names.name(lane));
+              run_.names().name(lane));
     x += theme.px(8);
-    const std::string& differs = context.names.difference(lane);
+    const std::string& differs = run_.names().difference(lane);
     if (!differs.empty() && right - x > theme.px(30))
         line(list, *theme.small, {x, small_top}, right - x, theme.palette.text_dim, differs);
 }
 
-void draw_lane_frame(const PanelContext& context, const FieldTile& tile, bool marked) {
-    const Theme& theme = context.theme;
+void LaneTiles::draw_frame(const FieldTile& tile, bool marked) const {
+    const Theme& theme = ui_.theme;
     const float line = marked ? theme.px(2) : 1;
     const ImVec2 low{static_cast<float>(tile.rect.x) - line, static_cast<float>(tile.rect.y) - line};
     const ImVec2 high{static_cast<float>(tile.rect.x + tile.rect.width) + line,
@@ -91,15 +74,15 @@ void draw_lane_frame(const PanelContext& context, const FieldTile& tile, bool ma
     list.AddRect({low.x + half, low.y + half}, {high.x - half, high.y - half}, colour, 0, 0, line);
 }
 
-void draw_lane_state(const PanelContext& context, const FieldTile& tile) {
-    const Theme& theme = context.theme;
-    const Snapshot& s = context.client.session().lanes[tile.lane];
+void LaneTiles::draw_state(const FieldTile& tile) const {
+    const Theme& theme = ui_.theme;
+    const Snapshot& s = run_.session().lanes[tile.lane];
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const auto left = static_cast<float>(tile.part.x);
     const auto top = static_cast<float>(tile.part.y);
     const auto width = static_cast<float>(tile.part.width);
     if (!s.failure) {
-        if (context.fields.of(tile.lane) == nullptr)
+        if (fields_.of(tile.lane) == nullptr)
             line(list, *theme.small, {left + theme.px(8), top + theme.px(8)}, width - theme.px(16),
                  theme.palette.text_dim, "Nothing to show here");
         return;
@@ -120,6 +103,20 @@ void draw_lane_state(const PanelContext& context, const FieldTile& tile) {
     list.AddText(&small, small.FontSize, {low.x + pad, low.y + theme.bold->FontSize + 1.5f * pad},
                  theme.palette.text, reason.c_str(), nullptr, room);
     list.PopClipRect();
+}
+
+void LaneTiles::title_help(std::size_t lane, const std::string& key) {
+    const Snapshot& s = run_.session().lanes[lane];
+    std::string state = std::to_string(s.grid().nx) + " × " + std::to_string(s.grid().ny);
+    if (is_reference(lane)) state += " · the reference lane";
+    state += lane == run_.selected() ? " · selected" : " · click to select";
+    const std::string stopped = s.failure ? "Stopped at " + *s.failure : std::string();
+    ui_.explain(key, {run_.names().name(lane), said_of(run_.names().difference(lane)), state, "", stopped});
+}
+
+bool LaneTiles::is_reference(std::size_t lane) const {
+    if (fields_.difference()) return lane == fields_.reference();
+    return static_cast<int>(lane) == run_.session().setup.reference;
 }
 
 }  // namespace whorl::app

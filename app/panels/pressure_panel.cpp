@@ -4,8 +4,10 @@
 #include <cmath>
 #include <string>
 
+#include "app/panels/list.h"
 #include "app/panels/parameter_control.h"
-#include "app/ui/widgets.h"
+#include "app/run/run_control.h"
+#include "app/ui/ui.h"
 #include "core/base/number.h"
 #include "core/pressure/solver.h"
 
@@ -23,22 +25,36 @@ std::string report(const Measures& m) {
     return text;
 }
 
+class PressurePanel final : public Panel {
+  public:
+    PressurePanel(Ui& ui, RunControl& run) : ui_(ui), run_(run) {}
+
+    void draw() override {
+        ParameterControls(ui_, run_).rows(Parameter::Group::Pressure);
+        const Measures& m = run_.snapshot().measures;
+        if (m.pressure.solver.empty()) return;  // nothing has been projected
+        ImGui::PushFont(ui_.theme.small);
+        ImGui::PushTextWrapPos(0);
+        text(ui_.theme.palette.text_dim, report(m));
+        if (!m.pressure_why_not.empty()) {
+            const std::string_view chosen = pressure_solvers()[run_.scene().pressure].info.label;
+            text(ui_.theme.palette.text_dim,
+                 "instead of " + std::string(chosen) + ": " + std::string(m.pressure_why_not));
+        }
+        ImGui::PopTextWrapPos();
+        ImGui::PopFont();
+    }
+
+  private:
+    Ui& ui_;
+    RunControl& run_;
+};
+
 }  // namespace
 
-void draw_pressure_panel(PanelContext& context) {
-    parameter_rows(context, Parameter::Group::Pressure);
-    const Measures& m = context.snapshot().measures;
-    if (m.pressure.solver.empty()) return;  // nothing has been projected
-    ImGui::PushFont(context.theme.small);
-    ImGui::PushTextWrapPos(0);
-    text(context.theme.palette.text_dim, report(m));
-    if (!m.pressure_why_not.empty()) {
-        const std::string_view chosen = pressure_solvers()[context.scene().pressure].info.label;
-        text(context.theme.palette.text_dim,
-             "instead of " + std::string(chosen) + ": " + std::string(m.pressure_why_not));
-    }
-    ImGui::PopTextWrapPos();
-    ImGui::PopFont();
-}
+const PanelEntry pressure_panel{
+    .key = "pressure", .title = "Pressure", .make = [](const Services& s) -> std::unique_ptr<Panel> {
+        return std::make_unique<PressurePanel>(s.ui, s.run);
+    }};
 
 }  // namespace whorl::app

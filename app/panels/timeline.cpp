@@ -6,8 +6,6 @@
 #include <cmath>
 #include <string>
 
-#include "app/ui/widgets.h"
-
 namespace whorl::app {
 namespace {
 
@@ -43,28 +41,17 @@ std::string state_line(const SessionSnapshot& moment, std::optional<long> sought
 
 }  // namespace
 
-void walk(SessionClient& client, long by) {
-    const SessionSnapshot& moment = client.session();
-    const long from = client.sought().value_or(moment.step);
-    if (by > 0 && from >= moment.last_step) {
-        client.step();
-    } else {
-        client.seek(std::max(0L, from + by));
-    }
-}
-
-void draw_timeline(PanelContext& context) {
-    const Theme& theme = context.theme;
+void draw_timeline(Ui& ui, RunControl& run) {
+    const Theme& theme = ui.theme;
     const Palette& palette = theme.palette;
-    const SessionSnapshot& moment = context.client.session();
-    const std::optional<long> sought = context.client.sought();
+    const SessionSnapshot& moment = run.session();
+    const std::optional<long> sought = run.sought();
     const long last = std::max(1L, moment.last_step);
 
     const float width = ImGui::GetContentRegionAvail().x;
     const float height = theme.px(18);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::InvisibleButton("timeline", {width, height});
-    context.log.control("timeline");
     const bool held = ImGui::IsItemActive();
     const bool hovered = ImGui::IsItemHovered();
     const float radius = theme.px(6);
@@ -76,9 +63,9 @@ void draw_timeline(PanelContext& context) {
     if (held) {
         const float share = std::clamp((ImGui::GetIO().MousePos.x - left) / span, 0.0f, 1.0f);
         const long to = std::lround(static_cast<double>(share) * static_cast<double>(moment.last_step));
-        if (to != sought.value_or(moment.step)) context.client.seek(to);
+        if (to != sought.value_or(moment.step)) run.seek(to);
     }
-    context.tooltip.item(theme, "timeline", {"Timeline", help_text(), memory_text(), "", ""});
+    ui.explain("timeline", {"Timeline", help_text(), memory_text(), "", ""});
 
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float middle = std::floor(corner.y + 0.5f * height);

@@ -4,7 +4,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace whorl::app {
 
@@ -32,12 +31,6 @@ struct FilmProgress {
     double seconds;    ///< since it began
 };
 
-/// A run that can be opened.
-struct RunEntry {
-    std::string name;   ///< as find_run takes it
-    std::string title;  ///< beside it, dim
-};
-
 /// Panels and keys put their requests here; FileService serves them once a frame and takes them away.
 struct FileRequests {
     bool take_picture = false;
@@ -60,11 +53,6 @@ struct FileRequests {
     bool dialog = false;  ///< one is on screen: keys are not for the run
     bool enter = false;   ///< the key was pressed since the last frame, however briefly
     bool escape = false;
-    std::string path;        ///< typed
-    bool opening = false;    ///< the path was chosen, and nothing has become of it yet
-    std::string open_error;  ///< why the path was not opened
-    std::vector<RunEntry> entries;
-    bool has_ffmpeg = false;  ///< when the dialog came up
 };
 
 }  // namespace whorl::app

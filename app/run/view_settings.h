@@ -3,12 +3,9 @@
 
 #include <map>
 
-#include "app/labs/lab_state.h"
 #include "app/render/colour_map.h"
 #include "app/render/view_window.h"
 #include "app/run/colour_range.h"
-#include "app/run/file_requests.h"
-#include "app/tutorial/tour.h"
 #include "app/views/views.h"
 
 namespace whorl::app {
@@ -22,13 +19,6 @@ inline bool available(const View& view, const Snapshot& snapshot) {
 /// How several lanes share the field's place.
 enum class Compare { SideBySide, One, Wipe };
 
-/// The name of a lane that is being typed.
-struct Renaming {
-    int id = -1;  ///< of the lane; none if negative
-    bool begun = false;
-    char text[48] = "";
-};
-
 struct ViewSettings {
     const View* shown = views().front();
     bool difference = false;  ///< of each lane from the reference lane, in that view
@@ -40,16 +30,7 @@ struct ViewSettings {
     bool crisp = false;                            ///< squares of one value each
     bool arrows = false;                           ///< velocity over the field
     bool count_limited = false;                    ///< the nodes that limiters change, beside the measures
-    bool help = false;                             ///< the keys are shown
-    bool lessons = false;                          ///< a lesson stands where the measures do
-    bool shows_measures = false;                   ///< in place of the lesson, for a while
     ColourRange range;
-    Renaming renaming;
-    LabState labs;
-    Tour tour;
-
-    /// Whether the tour's card is drawn, and takes keys: it steps aside for the help and the dialogs.
-    bool tour_in_sight(const FileRequests& files) const { return tour.running() && !help && !files.dialog; }
 
     /// The colours of a view, or of differences in it, which all have the same.
     const ColourMap& map(const View& of, bool of_difference) const {
@@ -58,10 +39,8 @@ struct ViewSettings {
         return chosen != maps.end() ? *chosen->second : *find_colour_map(view.map);
     }
     const ColourMap& map() const { return map(*shown, difference); }
-    /// What to watch of the run.
-    Watch watch() const {
-        return {.node = labs.inspector.watched(), .limiters = count_limited || shown->of_limiters};
-    }
+    /// Whether the nodes that limiters change are counted: for the chosen view, or beside the measures.
+    bool counts_limited() const { return count_limited || shown->of_limiters; }
     void choose(const ColourMap& map) { maps[&coloured(*shown, difference)] = &map; }
 
   private:

@@ -6,8 +6,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/tools/list.h"
+
 namespace whorl::app {
 namespace {
+
+constexpr KeyHelp mouse[] = {{"Drag", "inject smoke and heat, and pull the fluid along"},
+                             {"Right-drag", "push the fluid only"},
+                             {"Shift-drag", "paint an obstacle"},
+                             {"Ctrl-drag", "erase obstacles"},
+                             {"Wheel", "radius of the brush"}};
 
 constexpr double fastest = 40;  // length/time that a stroke may give the fluid; a flick is far beyond
 
@@ -17,11 +25,11 @@ double length(WorldPoint a, WorldPoint b) {
 
 }  // namespace
 
-void BrushTool::take(const InputEvent& event, const FieldViewports& place) {
+bool BrushTool::take(const InputEvent& event, const FieldViewports& place) {
     using Kind = InputEvent::Kind;
     if (event.kind == Kind::Press && mode_ == Mode::None) {
         const FieldTile* tile = place.at(event.x, event.y);
-        if (tile == nullptr) return;
+        if (tile == nullptr) return false;
         if (event.code == GLFW_MOUSE_BUTTON_RIGHT) {
             mode_ = Mode::Push;
         } else if (event.code == GLFW_MOUSE_BUTTON_LEFT) {
@@ -29,7 +37,7 @@ void BrushTool::take(const InputEvent& event, const FieldViewports& place) {
                     : (event.mods & GLFW_MOD_CONTROL) != 0 ? Mode::Erase
                                                            : Mode::Smoke;
         } else {
-            return;
+            return false;
         }
         button_ = event.code;
         fresh_ = true;
@@ -42,21 +50,26 @@ void BrushTool::take(const InputEvent& event, const FieldViewports& place) {
         if (tile != place.tiles.end()) path_.push_back(place.world(*tile, event.x, event.y));
     } else if (event.kind == Kind::Release && mode_ != Mode::None && event.code == button_) {
         ended_ = true;
+    } else if (event.kind == Kind::Wheel && place.at(event.x, event.y) != nullptr) {
+        run_.set(parameter("brush.radius"), wheel_radius(run_.scene().brush.radius, event.turn));
+    } else {
+        return false;
     }
+    return true;
 }
 
-void BrushTool::end_frame(SessionClient& client) {
+void BrushTool::end_frame() {
     if (mode_ == Mode::None) return;
     const bool obstacle = mode_ == Mode::Paint || mode_ == Mode::Erase;
-    obstacle ? send_obstacle(client) : send_smoke(client);
+    obstacle ? send_obstacle() : send_smoke();
     path_.erase(path_.begin(), path_.end() - 1);
     fresh_ = false;
     if (ended_) mode_ = Mode::None;
 }
 
-void BrushTool::send_smoke(SessionClient& client) {
-    const Snapshot& s = client.snapshot();
-    const Brush& brush = client.scene().brush;
+void BrushTool::send_smoke() {
+    const Snapshot& s = run_.snapshot();
+    const Brush& brush = run_.scene().brush;
     const double elapsed = fresh_ ? s.scene.dt : std::max(s.measures.time - last_time_, s.scene.dt);
     last_time_ = s.measures.time;
     SmokeStroke stroke{.along = {},
@@ -65,9 +78,9 @@ void BrushTool::send_smoke(SessionClient& client) {
                        .push = brush.push,
                        .smoke = mode_ == Mode::Smoke};
     if (path_.size() == 1) {
-        if (!stroke.smoke || !(fresh_ || client.playing())) return;
+        if (!stroke.smoke || !(fresh_ || run_.playing())) return;
         stroke.along = {path_[0].x, path_[0].y, path_[0].x, path_[0].y};
-        client.push(stroke);
+        run_.push(stroke);
         return;
     }
     double whole = 0;
@@ -80,17 +93,17 @@ void BrushTool::send_smoke(SessionClient& client) {
         stroke.along = {a.x, a.y, b.x, b.y};
         stroke.velocity_x = far > 0 ? (b.x - a.x) / far * speed : 0;
         stroke.velocity_y = far > 0 ? (b.y - a.y) / far * speed : 0;
-        client.push(stroke);
+        run_.push(stroke);
     }
 }
 
-void BrushTool::send_obstacle(SessionClient& client) {
+void BrushTool::send_obstacle() {
     if (path_.size() == 1 && !fresh_) return;
-    ObstacleStroke stroke{.along = {}, .radius = client.scene().brush.radius, .solid = mode_ == Mode::Paint};
+    ObstacleStroke stroke{.along = {}, .radius = run_.scene().brush.radius, .solid = mode_ == Mode::Paint};
     for (std::size_t k = path_.size() == 1 ? 0 : 1; k < path_.size(); ++k) {
         const WorldPoint a = path_[k > 0 ? k - 1 : 0];
         stroke.along = {a.x, a.y, path_[k].x, path_[k].y};
-        client.push(stroke);
+        run_.push(stroke);
     }
 }
 
@@ -99,5 +112,10 @@ double wheel_radius(double radius, double notches) {
     const double wanted = std::clamp(radius * std::pow(1.1, notches), p.slider_min, p.slider_max);
     return std::clamp(std::round(wanted * 100) / 100, p.min, p.max);
 }
+
+const ToolEntry brush_tool{
+    .key = "brush", .mouse = mouse, .keys = {}, .make = [](const Services& s) -> std::unique_ptr<Tool> {
+        return std::make_unique<BrushTool>(s.run);
+    }};
 
 }  // namespace whorl::app

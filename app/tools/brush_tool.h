@@ -3,28 +3,31 @@
 
 #include <vector>
 
-#include "app/run/session_client.h"
-#include "app/ui/field_viewports.h"
-#include "app/ui/input_event.h"
+#include "app/run/run_control.h"
+#include "app/run/tool.h"
 
 namespace whorl::app {
 
 /// A drag in the making. Every position that the pointer went through becomes a segment, so that quick
 /// strokes leave a continuous trail.
-class BrushTool {
+class BrushTool final : public Tool {
   public:
-    /// Begins a drag if a press falls on a field, follows it in that field's coordinates, and ends it.
-    void take(const InputEvent& event, const FieldViewports& place);
+    explicit BrushTool(RunControl& run) : run_(run) {}
+
+    /// Begins a drag if a press falls on a field, follows it in that field's coordinates, and ends it. The
+    /// wheel sets the brush's radius.
+    bool take(const InputEvent& event, const FieldViewports& fields) override;
     /// Sends what the drag has done since the last frame. Held still, it goes on emitting while the run
     /// plays.
-    void end_frame(SessionClient& client);
+    void end_frame() override;
 
   private:
     enum class Mode { None, Smoke, Push, Paint, Erase };
 
-    void send_smoke(SessionClient& client);
-    void send_obstacle(SessionClient& client);
+    void send_smoke();
+    void send_obstacle();
 
+    RunControl& run_;
     Mode mode_ = Mode::None;
     int button_ = 0;
     std::size_t lane_ = 0;          ///< on whose field the drag began

@@ -3,13 +3,20 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include <imgui.h>
+
 #include <algorithm>
 #include <cmath>
+
+#include "app/tools/list.h"
 
 namespace whorl::app {
 namespace {
 
-constexpr double notch = 1.25;      // closer by this with each notch of the wheel
+constexpr KeyHelp mouse[] = {{"Ctrl+wheel, + and -", "closer, and away"},
+                             {"Middle-drag, Alt-drag", "move what is shown"}};
+constexpr KeyHelp keys[] = {{"0", "the whole domain"}, {"Tab", "hold: the other lane, where one is shown"}};
+
 constexpr double reach_pixels = 7;  // from the line, on either side
 
 }  // namespace
@@ -21,14 +28,14 @@ bool on_wipe_line(const FieldViewports& place, double x, double y) {
            std::abs(x - static_cast<double>(*place.wipe)) <= reach_pixels;
 }
 
-bool ViewTool::take(const InputEvent& event, const FieldViewports& place, ViewSettings& view) {
+bool ViewTool::take(const InputEvent& event, const FieldViewports& place) {
     using Kind = InputEvent::Kind;
     switch (event.kind) {
         case Kind::Press:
             return press(event, place);
         case Kind::Move: {
             const bool mine = drag_ != Drag::None;
-            if (mine) move(event, place, view);
+            if (mine) move(event, place);
             x_ = event.x;
             y_ = event.y;
             return mine;
@@ -38,20 +45,28 @@ bool ViewTool::take(const InputEvent& event, const FieldViewports& place, ViewSe
             drag_ = Drag::None;
             return true;
         case Kind::Wheel:
-            // Without a brush the wheel is free.
-            if ((event.mods & GLFW_MOD_CONTROL) == 0 && !view.labs.inspector.open) return false;
-            if (place.at(x_, y_) != nullptr) zoom(event.y, place, view);
+            if ((event.mods & GLFW_MOD_CONTROL) == 0) return false;
+            if (place.at(event.x, event.y) != nullptr)
+                view_.window = place.zoomed_about(view_.window, event.x, event.y, event.turn);
             return true;
         case Kind::Character:
             if (event.code == '+' || event.code == '=') {
-                zoom(1, place, view);
+                view_.window = place.zoomed_about(view_.window, x_, y_, 1);
             } else if (event.code == '-') {
-                zoom(-1, place, view);
+                view_.window = place.zoomed_about(view_.window, x_, y_, -1);
             } else if (event.code == '0') {
-                view.window = {};
+                view_.window = {};
             } else {
                 return false;
             }
+            return true;
+        case Kind::Key:
+            if (event.code != GLFW_KEY_TAB || ImGui::GetIO().WantTextInput) return false;
+            if (!event.repeated) view_.peek = true;
+            return true;
+        case Kind::KeyUp:
+            if (event.code != GLFW_KEY_TAB) return false;
+            view_.peek = false;
             return true;
         default:
             return false;
@@ -78,25 +93,29 @@ bool ViewTool::press(const InputEvent& event, const FieldViewports& place) {
     return true;
 }
 
-void ViewTool::move(const InputEvent& event, const FieldViewports& place, ViewSettings& view) {
+void ViewTool::move(const InputEvent& event, const FieldViewports& place) {
     const FieldTile* tile = place.of(lane_);
     if (tile == nullptr) return;
     if (drag_ == Drag::Wipe) {
         const double part = (event.x - tile->rect.x) / tile->rect.width;
-        view.wipe = static_cast<float>(std::clamp(part, 0.0, 1.0));
+        view_.wipe = static_cast<float>(std::clamp(part, 0.0, 1.0));
     } else {
         const glm::dvec2 by =
             FieldViewports::part(*tile, x_, y_) - FieldViewports::part(*tile, event.x, event.y);
-        view.window = panned(view.window, glm::vec2(by));
+        view_.window = panned(view_.window, glm::vec2(by));
     }
 }
 
-/// About the pointer, or about the middle where that is on no field.
-void ViewTool::zoom(double notches, const FieldViewports& place, ViewSettings& view) const {
-    const FieldTile* tile = place.at(x_, y_);
-    const glm::dvec2 about = tile != nullptr ? FieldViewports::part(*tile, x_, y_) : glm::dvec2(0.5);
-    view.window =
-        zoomed(view.window, glm::vec2(about), static_cast<float>(std::pow(notch, notches)), place.cells);
+bool ViewTool::hover(const FieldViewports& place) {
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    if (on_wipe_line(place, static_cast<double>(mouse.x), static_cast<double>(mouse.y)))
+        ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    return false;
 }
+
+const ToolEntry view_tool{
+    .key = "view", .mouse = mouse, .keys = keys, .make = [](const Services& s) -> std::unique_ptr<Tool> {
+        return std::make_unique<ViewTool>(s.view);
+    }};
 
 }  // namespace whorl::app

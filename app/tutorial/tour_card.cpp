@@ -6,7 +6,6 @@
 #include <cmath>
 #include <string>
 
-#include "app/ui/widgets.h"
 #include "app/ui/wrapped_text.h"
 
 namespace whorl::app {
@@ -34,38 +33,25 @@ float height_of(const ImFont& font, const std::string& text) {
     return font.CalcTextSizeA(font.FontSize, FLT_MAX, 0, text.c_str()).y;
 }
 
-bool button(PanelContext& context, const char* label, const char* key, float width, const char* help) {
-    const bool pressed = ImGui::Button(label, {width, 0});
-    context.log.control(key);
-    context.tooltip.item(context.theme, key, {"", help, "", "", ""});
-    return pressed;
-}
-
-/// Skip at the left, the way back and on at the right.
-void draw_buttons(PanelContext& context, Tour& tour) {
-    const Theme& theme = context.theme;
-    const Palette& palette = theme.palette;
-    const float width = theme.px(78);
-    const float gap = ImGui::GetStyle().ItemSpacing.x;
-    const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
-    const bool last = tour.last();
-    if (!last && button(context, "Skip", "tour-skip", width, "Ends the tour. H brings it back. Key: Esc"))
-        return tour.skip();
-    if (!last) ImGui::SameLine();
-    ImGui::SetCursorPosX(right - 2 * width - gap);
-    ImGui::BeginDisabled(tour.first());
-    const bool back = button(context, "Back", "tour-back", width, "The card before. Key: ←");
-    ImGui::EndDisabled();
-    ImGui::SameLine();
-    ImGui::PushStyleColor(ImGuiCol_Button, palette.accent);
-    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, faded(palette.accent, 0.9f));
-    ImGui::PushStyleColor(ImGuiCol_ButtonActive, faded(palette.accent, 0.8f));
-    ImGui::PushStyleColor(ImGuiCol_Text, palette.accent_text);
-    const bool next = button(context, last ? "Done" : "Next", "tour-next", width,
-                             last ? "Ends the tour. Keys: Enter, →" : "The next card. Keys: Enter, →");
-    ImGui::PopStyleColor(4);
-    if (back) tour.back();
-    if (next) tour.next();
+/// Begins the card's window, with the ring around what it speaks of.
+void begin_card(const Theme& theme, ImVec2 corner, ImVec2 size, const std::optional<ScreenBox>& ring) {
+    ImGui::SetNextWindowPos(corner);
+    ImGui::SetNextWindowSize(size);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(theme.px(card_padding), theme.px(card_padding)));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(theme.px(8), theme.px(between_the_parts)));
+    ImGui::Begin("tour", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBackground);
+    // A list that a control has opened stays above.
+    if (!ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
+        ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.PushClipRectFullScreen();
+    if (ring) draw_ring(list, theme, *ring);
+    const ImVec2 end{corner.x + size.x, corner.y + size.y};
+    list.AddRectFilled(corner, end, theme.palette.panel, theme.px(8));
+    list.AddRect(corner, end, theme.palette.accent, theme.px(8), 0, theme.thin());
+    list.PopClipRect();
 }
 
 }  // namespace
@@ -101,11 +87,9 @@ std::optional<ScreenBox> target_of(const TourStop& stop, const ControlRects& pla
     return all;
 }
 
-void draw_tour(PanelContext& context) {
-    Tour& tour = context.view.tour;
-    if (!context.view.tour_in_sight(context.files)) return;
-    const Theme& theme = context.theme;
-    const TourStop& stop = tour.stop();
+void TourCard::draw() {
+    const Theme& theme = ui_.theme;
+    const TourStop& stop = tour_.stop();
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const float padding = theme.px(card_padding);
     const float between = theme.px(between_the_parts);
@@ -116,43 +100,46 @@ void draw_tour(PanelContext& context) {
     const float height = 2 * padding + theme.small->FontSize + theme.title->FontSize +
                          height_of(*theme.body, text_lines) + ImGui::GetFrameHeight() + 3 * between;
 
-    const auto found = target_of(stop, context.log.rects());
+    const auto found = target_of(stop, ui_.log.rects());
     const ScreenBox middle{{0.5f * screen.x, 0.5f * screen.y}, {0.5f * screen.x, 0.5f * screen.y}};
     const ScreenBox target = widened(found.value_or(middle), theme.px(ring_distance), screen);
     const ImVec2 corner = card_corner(target, {width, height}, screen, theme.px(12));
 
-    ImGui::SetNextWindowPos(corner);
-    ImGui::SetNextWindowSize({width, height});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(padding, padding));
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(theme.px(8), between));
-    ImGui::Begin("tour", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBackground);
-    // A list that a control has opened stays above.
-    if (!ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
-        ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.PushClipRectFullScreen();
-    if (found) draw_ring(list, theme, target);
-    const ImVec2 end{corner.x + width, corner.y + height};
-    list.AddRectFilled(corner, end, theme.palette.panel, theme.px(8));
-    list.AddRect(corner, end, theme.palette.accent, theme.px(8), 0, theme.thin());
-    list.PopClipRect();
-
+    begin_card(theme, corner, {width, height}, found ? std::optional(target) : std::nullopt);
     ImGui::PushFont(theme.small);
     text(theme.palette.text_dim,
-         std::to_string(tour.place() + 1) + " of " + std::to_string(tour_stops().size()));
+         std::to_string(tour_.place() + 1) + " of " + std::to_string(tour_stops().size()));
     ImGui::PopFont();
     ImGui::PushFont(theme.title);
     text(theme.palette.text, stop.title);
     ImGui::PopFont();
     text(theme.palette.text, text_lines);
-    draw_buttons(context, tour);
-    context.log.rect("tour-card=" + std::to_string(tour.place() + 1), corner.x, corner.y, width, height);
+    draw_buttons();
+    ui_.log.rect("tour-card=" + std::to_string(tour_.place() + 1), corner.x, corner.y, width, height);
     const bool hovered = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
     ImGui::End();
     ImGui::PopStyleVar(2);
-    tour.drawn(hovered);
+    tour_.drawn(hovered);
+}
+
+void TourCard::draw_buttons() {
+    const Theme& theme = ui_.theme;
+    const float width = theme.px(78);
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
+    const bool last = tour_.last();
+    if (!last &&
+        ui_.button("Skip", "tour-skip", width, {"", "Ends the tour. H brings it back. Key: Esc", "", "", ""}))
+        return tour_.skip();
+    if (!last) ImGui::SameLine();
+    ImGui::SetCursorPosX(right - 2 * width - gap);
+    const bool back =
+        ui_.button("Back", "tour-back", width, {"", "The card before. Key: ←", "", "", ""}, !tour_.first());
+    ImGui::SameLine();
+    const char* const help = last ? "Ends the tour. Keys: Enter, →" : "The next card. Keys: Enter, →";
+    const bool next = ui_.accent_button(last ? "Done" : "Next", "tour-next", width, {"", help, "", "", ""});
+    if (back) tour_.back();
+    if (next) tour_.next();
 }
 
 }  // namespace whorl::app

@@ -5,7 +5,8 @@
 
 #include <optional>
 
-#include "app/panels/panel.h"
+#include "app/tutorial/tour.h"
+#include "app/ui/ui.h"
 
 namespace whorl::app {
 
@@ -23,6 +24,18 @@ ImVec2 card_corner(const ScreenBox& target, ImVec2 card, ImVec2 screen, float ga
 std::optional<ScreenBox> target_of(const TourStop& stop, const ControlRects& places);
 
 /// Draws the card over everything that is not a list or a dialog, and a ring around what it speaks of.
-void draw_tour(PanelContext& context);
+class TourCard {
+  public:
+    TourCard(Ui& ui, Tour& tour) : ui_(ui), tour_(tour) {}
+
+    void draw();
+
+  private:
+    /// Skip at the left, the way back and on at the right.
+    void draw_buttons();
+
+    Ui& ui_;
+    Tour& tour_;
+};
 
 }  // namespace whorl::app

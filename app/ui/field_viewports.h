@@ -49,6 +49,9 @@ struct FieldViewports {
     static glm::dvec2 part(const FieldTile& tile, double x, double y) {
         return {(x - tile.rect.x) / tile.rect.width, 1 - (y - tile.rect.y) / tile.rect.height};
     }
+    /// What is shown instead of `shown` after a turn of the wheel over a pixel, which stays where it is; the
+    /// middle does where the pixel is on no field.
+    ViewWindow zoomed_about(const ViewWindow& shown, double x, double y, double notches) const;
     /// The point under a pixel.
     WorldPoint world(const FieldTile& tile, double x, double y) const {
         const glm::dvec2 low(window.low);

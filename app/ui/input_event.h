@@ -10,7 +10,8 @@ struct InputEvent {
     enum class Kind { Move, Press, Release, Wheel, Character, Key, KeyUp, Drop };
 
     Kind kind;
-    double x = 0, y = 0;    ///< of the pointer; of the wheel its turn
+    double x = 0, y = 0;    ///< of the pointer
+    double turn = 0;        ///< of the wheel, notches
     int code = 0;           ///< mouse button, Unicode character or GLFW key
     int mods = 0;           ///< GLFW modifier bits
     bool repeated = false;  ///< a key that is held

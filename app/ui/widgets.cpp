@@ -106,6 +106,11 @@ std::vector<float> shared_widths(std::span<const char* const> labels, float room
     return widths;
 }
 
+float chip_width(int count) {
+    const float gap = std::floor(0.5f * ImGui::GetStyle().ItemSpacing.x);
+    return std::floor((ImGui::GetContentRegionAvail().x + gap) / static_cast<float>(count) - gap);
+}
+
 bool chip(const Theme& theme, const char* label, bool chosen, float width) {
     const Palette& p = theme.palette;
     ImGui::PushStyleColor(ImGuiCol_Button, chosen ? p.accent : p.frame);

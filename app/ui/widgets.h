@@ -29,6 +29,9 @@ bool heading(const Theme& theme, const char* title, bool open_at_first);
 /// @param gap  between two of them
 std::vector<float> shared_widths(std::span<const char* const> labels, float room, float gap);
 
+/// The width of each of `count` chips that fill the line, half a spacing apart.
+float chip_width(int count);
+
 /// A button that shows whether it is chosen.
 bool chip(const Theme& theme, const char* label, bool chosen, float width);
 

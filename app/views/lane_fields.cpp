@@ -79,4 +79,10 @@ void LaneFields::measure_span(const SessionSnapshot& session) {
     span_ = span;
 }
 
+std::string shown_quantity(const LaneFields& fields, const LaneNames& names) {
+    std::string words(fields.view().label);
+    if (fields.difference()) words += " less that of " + names.name(fields.reference());
+    return words;
+}
+
 }  // namespace whorl::app

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/render/colour_map.h"
+#include "app/views/lane_names.h"
 #include "app/views/views.h"
 #include "core/measure/average.h"
 
@@ -48,5 +49,8 @@ class LaneFields {
     float least_ = 0;  ///< value of a view without a middle
     long version_ = 0;
 };
+
+/// What the colours or curves stand for: the view, and what is taken from it.
+std::string shown_quantity(const LaneFields& fields, const LaneNames& names);
 
 }  // namespace whorl::app

@@ -33,7 +33,7 @@ const Field* limited_smoke(const Snapshot& s, Field& scratch) {
 }
 
 const Field* limited_velocity(const Snapshot& s, Field& scratch) {
-    if (experiment(s.scene.experiment).flow != nullptr) return nullptr;
+    if (!is_solved(s)) return nullptr;
     return s.limits ? &s.limits->velocity : zeros(s, scratch);
 }
 
@@ -97,6 +97,10 @@ Registry<View>& list() {
 }
 
 }  // namespace
+
+bool is_solved(const Snapshot& lane) {
+    return experiment(lane.scene.experiment).flow == nullptr;
+}
 
 std::span<const View* const> views() {
     return list().all();

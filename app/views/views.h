@@ -34,6 +34,9 @@ struct View : FieldDisplay {
     Range automatic_range(const Snapshot& snapshot, const Field& values) const;
 };
 
+/// Whether the flow is solved for, not given.
+bool is_solved(const Snapshot& lane);
+
 /// All views, in the order of menus: of the fields that a run carries, of derived ones, and of what only a
 /// snapshot knows. The first is the default.
 std::span<const View* const> views();

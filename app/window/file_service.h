@@ -8,9 +8,12 @@
 #include <string>
 #include <variant>
 
+#include "app/charts/measure_view.h"
 #include "app/figure/picture.h"
-#include "app/panels/panel.h"
 #include "app/run/background_tasks.h"
+#include "app/run/file_requests.h"
+#include "app/run/services.h"
+#include "app/run/session_client.h"
 #include "app/views/lane_fields.h"
 #include "app/window/film_maker.h"
 #include "app/window/replay_check.h"
@@ -21,11 +24,16 @@ namespace whorl::app {
 /// others, so that no frame waits for a disk. What fails is a notification.
 class FileService {
   public:
+    FileService(const Services& services, SessionClient& run, const MeasureView& measures)
+        : services_(services), run_(run), measures_(measures) {}
+
     /// The window was opened with a run.
     void opened(const Recording& recording, const std::string& name) { check_.expect(recording, name, 0); }
     /// Serves the requests; call once a frame, after the window is drawn.
     /// @param now  seconds of the window's clock
-    void end_frame(PanelContext& context, double now);
+    void end_frame(double now);
+    /// The tour was taken.
+    void note_tour();
     /// Whether something that was asked for is on its way to a file.
     bool writes() const { return saving_ || !paintings_.empty() || background_tasks_.busy(); }
 
@@ -48,18 +56,20 @@ class FileService {
         std::variant<Recording, std::shared_ptr<const Lesson>> content;
     };
 
-    void take_requests(PanelContext& context);
-    void serve(PanelContext& context, Saved saved, double now);
-    void take_picture(PanelContext& context, Saved saved);
-    void paint(PanelContext& context);
+    void take_requests();
+    void serve(Saved saved, double now);
+    void take_picture(Saved saved);
+    void paint();
     void save_run(Recording recording);
-    void save_plots(PanelContext& context);
-    void note_tour();
-    void open(PanelContext& context);
-    void take_opened(PanelContext& context, Opened opened);
-    void follow_film(PanelContext& context, double now);
-    void check_replay(PanelContext& context);
+    void save_plots();
+    void open();
+    void take_opened(Opened opened);
+    void follow_film(double now);
+    void check_replay();
 
+    const Services services_;
+    SessionClient& run_;
+    const MeasureView& measures_;
     PendingRequests pending_;
     bool saving_ = false;
     bool tour_noted_ = false;                          ///< once is enough, and so is one complaint

@@ -41,11 +41,15 @@ void Input::install() {
                                     .code = button,
                                     .mods = mods});
     });
-    glfwSetScrollCallback(window_, [](GLFWwindow* window, double x, double y) {
+    glfwSetScrollCallback(window_, [](GLFWwindow* window, double, double y) {
         const auto down = [&](int key) { return glfwGetKey(window, key) == GLFW_PRESS; };
         const bool control = down(GLFW_KEY_LEFT_CONTROL) || down(GLFW_KEY_RIGHT_CONTROL);
-        of(window).collected_.push_back(
-            {.kind = Kind::Wheel, .x = x, .y = y, .mods = control ? GLFW_MOD_CONTROL : 0});
+        Input& input = of(window);
+        input.collected_.push_back({.kind = Kind::Wheel,
+                                    .x = input.x_,
+                                    .y = input.y_,
+                                    .turn = y,
+                                    .mods = control ? GLFW_MOD_CONTROL : 0});
     });
     glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int, int action, int mods) {
         Input& input = of(window);

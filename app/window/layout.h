@@ -1,7 +1,7 @@
 // Three columns: controls, field, measures.
 #pragma once
 
-#include "app/panels/field_area.h"
+#include "app/panels/field_layout.h"
 #include "app/render/theme.h"
 
 namespace whorl::app {

@@ -16,6 +16,7 @@ class HeadlessUi {
     HeadlessUi(int width, int height, float scale) : target_(width, height) {
         ImGui::CreateContext();
         ImGui::GetIO().IniFilename = nullptr;
+        ImGui::GetIO().KeyMap[ImGuiKey_Space] = 32;  // open lists are navigated by keys, which asks for it
         ImGui_ImplOpenGL3_Init("#version 330 core");
         theme = load_theme(scale);
         ImGui::GetIO().DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
@@ -30,14 +31,21 @@ class HeadlessUi {
     /// Draws one frame: `draw` inside a window that fills the framebuffer.
     template <class Draw>
     void frame(Draw&& draw) {
+        frame_of_windows([&] {
+            ImGui::SetNextWindowPos({0, 0});
+            ImGui::SetNextWindowSize(ImGui::GetIO().DisplaySize);
+            ImGui::Begin("test", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
+            draw();
+            ImGui::End();
+        });
+    }
+    /// Draws one frame: `draw` makes the windows.
+    template <class Draw>
+    void frame_of_windows(Draw&& draw) {
         ImGui::GetIO().DeltaTime = 1.0f / 60.0f;
         ImGui_ImplOpenGL3_NewFrame();
         ImGui::NewFrame();
-        ImGui::SetNextWindowPos({0, 0});
-        ImGui::SetNextWindowSize(ImGui::GetIO().DisplaySize);
-        ImGui::Begin("test", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
         draw();
-        ImGui::End();
         ImGui::Render();
         target_.bind();
         glClearColor(0, 0, 0, 1);

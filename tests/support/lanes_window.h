@@ -1,13 +1,11 @@
-// The three columns of the window for a set of lanes, drawn without a display.
+// The window for a set of lanes, drawn without a display.
 #pragma once
 
 #include <functional>
 
-#include "app/charts/measure_column.h"
-#include "app/labs/labs.h"
-#include "app/panels/control_column.h"
-#include "app/panels/field_area.h"
-#include "app/window/layout.h"
+#include "app/labs/interpolation_state.h"
+#include "app/labs/slice_state.h"
+#include "app/window/features.h"
 #include "tests/support/eventually.h"
 #include "tests/support/headless_ui.h"
 
@@ -16,42 +14,17 @@ namespace whorl::app {
 struct LanesWindow {
     LanesWindow(HeadlessUi& headless, Recording recording, const std::string& trace_path = {})
         : ui(headless), player(std::move(recording), 1), log(trace_path) {
-        frames.add(16.7, 5);
+        features.frames.add(16.7, 5);
         client.begin_frame();
     }
 
-    /// A frame, as the main_window makes it.
+    /// A frame, as the main window makes it.
     void frame() {
-        client.watch(watched(view, measure_view));
-        client.begin_frame();
-        const SessionSnapshot& session = client.session();
-        std::vector<StepMeasures> measures;
-        const bool new_run = player.take_measures(measures);
-        history.take(measures, new_run);
-        names.update(session.setup);
-        fields.update(session, *view.shown, view.difference);
-        view.range.follow(*view.shown, view.difference, fields.span(), ColourRange::at_once);
-        backgrounds.clear();
-        PanelContext context{ui.theme, client, view,  measure_view, files, history,
-                             frames,   fields, names, tooltip,      log,   backgrounds};
+        features.begin_frame(ColourRange::at_once);
+        features.end_input();
         const ImVec2 size = ImGui::GetIO().DisplaySize;
-        layout = lay_out(ui.theme, field_shape(session, view), size.x, size.y,
-                         view.lessons || view.labs.inspector.open);
-        const Column& side = inspector_column(layout, view.lessons);
-        view.labs.side = {side.x, side.width, view.lessons};
-        ui.frame([&] {
-            column("controls", layout.controls, [&] { draw_control_column(context); });
-            ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
-            column("field", layout.field, [&] { place = draw_field_area(context); });
-            ImGui::PopStyleVar();
-            column("measures", layout.measures, [&] {
-                if (instead) return instead(context);
-                draw_measure_column(context);
-            });
-            draw_labs(context);
-            if (over) over(context);
-            tooltip.end_frame();
-        });
+        ui.frame_of_windows([&] { features.draw(size.x, size.y); });
+        if (after_frame) after_frame();
     }
     /// Frames until something is so.
     template <class IsSo>
@@ -72,35 +45,29 @@ struct LanesWindow {
         frame();
         io.MousePos = {-FLT_MAX, -FLT_MAX};
     }
+    /// Double-clicks a lane's row: its name is typed then.
+    void rename_lane(std::size_t lane) {
+        const ControlRect row = log.rects().in_sight("lane=" + std::to_string(lane + 1)).value();
+        for (int k = 0; k < 2; ++k) click({row.x + 0.5f * row.width, row.y + 0.5f * row.height});
+    }
 
     HeadlessUi& ui;
     Player player;
     Notifications notifications;
-    SessionClient client{player, notifications};
-    ViewSettings view;
-    MeasureView measure_view;
-    FileRequests files;
-    History history;
-    FrameLog frames;
-    LaneFields fields;
-    LaneNames names;
-    Tooltip tooltip;
     EventLog log;
-    BackgroundRects backgrounds;
-    Layout layout{};
-    FieldViewports place;
-    std::function<void(PanelContext&)> instead;  ///< of the measures
-    std::function<void(PanelContext&)> over;     ///< draws what else is on screen
-
-  private:
-    template <class Draw>
-    void column(const char* name, const Column& where, Draw&& draw) {
-        ImGui::SetNextWindowPos({where.x, layout.top});
-        ImGui::SetNextWindowSize({where.width, layout.height});
-        ImGui::Begin(name, nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings);
-        draw();
-        ImGui::End();
-    }
+    Features features{ui.theme, player, log, notifications};
+    SessionClient& client = features.run;
+    ViewSettings& view = features.view;
+    MeasureView& measure_view = features.measures;
+    FileRequests& files = features.files;
+    History& history = features.history;
+    LaneFields& fields = features.fields;
+    const LaneNames& names = client.names();
+    Layout& layout = features.layout;
+    FieldViewports& place = features.viewports;
+    Inspection& inspector = features.shared.of<Inspection>();
+    Slice& slice = features.shared.of<Slice>();
+    std::function<void()> after_frame;
 };
 
 }  // namespace whorl::app

@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 #include <imgui_internal.h>
 
+#include "app/run/session_client.h"
 #include "app/tutorial/lesson_panel.h"
 #include "app/ui/wrapped_text.h"
+#include "app/views/lane_fields.h"
 #include "tests/support/eventually.h"
 #include "tests/support/headless_ui.h"
 
@@ -13,10 +15,7 @@ namespace whorl::app {
 
 /// A column of the panel's least width at the right of the screen, as frames of the window draw it.
 struct LessonWindow {
-    explicit LessonWindow(HeadlessUi& headless) : ui(headless) {
-        frames.add(16.7, 5);
-        client.begin_frame();
-    }
+    explicit LessonWindow(HeadlessUi& headless) : ui(headless) { client.begin_frame(); }
 
     void frame() {
         player.begin_frame();
@@ -28,11 +27,8 @@ struct LessonWindow {
             view.compare = Compare::SideBySide;
             view.difference = false;
         }
-        names.update(session.setup);
         fields.update(session, *view.shown, view.difference);
-        backgrounds.clear();
-        PanelContext context{ui.theme, client, view,  measures, files, history,
-                             frames,   fields, names, tooltip,  log,   backgrounds};
+        panel_ui.backgrounds.clear();
         const ImVec2 screen = ImGui::GetIO().DisplaySize;
         const float width = ui.theme.px(lesson_column_width);
         const float margin = ui.theme.px(8);
@@ -41,10 +37,10 @@ struct LessonWindow {
             ImGui::SetNextWindowSize({width, screen.y - 2 * margin});
             ImGui::Begin("lessons", nullptr,
                          ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings);
-            draw_lesson_panel(context, lesson_player);
+            panel.draw();
             column = ImGui::GetCurrentWindow()->Rect();
             ImGui::End();
-            tooltip.end_frame();
+            panel_ui.tooltip.end_frame();
         });
     }
     template <class IsSo>
@@ -55,10 +51,10 @@ struct LessonWindow {
         });
     }
     void press(int key) {
-        EXPECT_TRUE(lesson_player.take({.kind = InputEvent::Kind::Key, .code = key}, client, view));
+        EXPECT_TRUE(lesson_player.take({.kind = InputEvent::Kind::Key, .code = key}));
         frame();
     }
-    /// Clicks a control by its name in the trace.
+    /// Clicks a control by its name in the event log.
     void click(const char* key) {
         const auto place = log.rects().in_sight(key);
         ASSERT_TRUE(place) << key;
@@ -87,16 +83,12 @@ struct LessonWindow {
     Notifications notifications;
     SessionClient client{player, notifications};
     ViewSettings view;
-    MeasureView measures;
-    FileRequests files;
-    History history;
-    FrameLog frames;
     LaneFields fields;
-    LaneNames names;
-    Tooltip tooltip;
     EventLog log{""};
-    BackgroundRects backgrounds;
-    LessonPlayer lesson_player;
+    Ui panel_ui{ui.theme, log, notifications};
+    LessonPlayer lesson_player{client, view};
+    RightColumn right_column;
+    LessonPanel panel{panel_ui, lesson_player, right_column};
     ImRect column;
 };
 

@@ -1,5 +1,5 @@
 // The inspector: what is picked, what is shown of it, and that painting stands back.
-#include "app/inspector/inspector.h"
+#include "app/inspector/inspection.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -8,7 +8,6 @@
 
 #include "app/inspector/inspect_tool.h"
 #include "app/inspector/overlay.h"
-#include "app/tools/view_tool.h"
 #include "core/experiments/experiment.h"
 #include "core/inspect/explain.h"
 #include "core/inspect/text.h"
@@ -35,8 +34,9 @@ LaneSetup lane(const char* key, const char* value) {
 struct Inspected {
     HeadlessUi ui;
     LanesWindow window;
-    InspectTool tool;
-    Inspector& inspector = window.view.labs.inspector;
+    Inspection& inspector = window.inspector;
+    InspectTool tool{window.client, window.view, inspector};
+    InspectedOverlay overlay{ui.theme, window.client, inspector};
 
     explicit Inspected(Recording recording, int width = 1280, int height = 800)
         : ui(width, height, 1), window(ui, std::move(recording)) {
@@ -48,7 +48,7 @@ struct Inspected {
                           .y = static_cast<double>(at.y),
                           .code = code,
                           .mods = mods},
-                         window.place, window.client, window.view);
+                         window.place);
     }
     /// The pixel at the centre of a cell of a lane.
     ImVec2 pixel(std::size_t lane, int i, int j) const {
@@ -158,10 +158,13 @@ TEST(Inspector, TheFirstClickGoesCloserToAllThatIsDrawn) {
     in.window.frame();
     EXPECT_EQ(in.window.view.window.low, closer.low);
     // The wheel is free while nothing is painted.
-    ViewTool view_tool;
-    EXPECT_TRUE(view_tool.take({.kind = Kind::Wheel, .y = 1}, in.window.place, in.window.view));
+    const ImVec2 at = in.pixel(0, 12, 3);
+    const InputEvent wheel{
+        .kind = Kind::Wheel, .x = static_cast<double>(at.x), .y = static_cast<double>(at.y), .turn = 1};
+    EXPECT_TRUE(in.tool.take(wheel, in.window.place));
+    EXPECT_LT(in.window.view.window.high.x - in.window.view.window.low.x, closer.high.x - closer.low.x);
     in.inspector.open = false;
-    EXPECT_FALSE(view_tool.take({.kind = Kind::Wheel, .y = 1}, in.window.place, in.window.view));
+    EXPECT_FALSE(in.tool.take(wheel, in.window.place));
 }
 
 TEST(Inspector, AClickGoesCloserToItsOwnCellNotToTheOneBefore) {
@@ -250,10 +253,7 @@ TEST(Inspector, CurvesAreInspectedToo) {
     Inspected in(stepped("translation-1d"));
     in.inspector.open = true;
     in.window.frame();
-    EXPECT_TRUE(inspected_marks({in.ui.theme, in.window.client, in.window.view, in.window.measure_view,
-                                 in.window.files, in.window.history, in.window.frames, in.window.fields,
-                                 in.window.names, in.window.tooltip, in.window.log, in.window.backgrounds})
-                    .empty());
+    EXPECT_TRUE(in.overlay.marks().empty());
     const float middle = in.window.layout.field.x + 0.5f * in.window.layout.field.width;
     in.window.click({middle, in.window.layout.top + 0.5f * in.window.layout.height});
     ASSERT_TRUE(in.inspector.picked);
@@ -262,11 +262,7 @@ TEST(Inspector, CurvesAreInspectedToo) {
     EXPECT_NEAR(i, 12, 2);
     EXPECT_EQ(in.explained(0).now, in.window.client.snapshot().density()(i, 0));
     // Two samples, where they are read, and the node.
-    EXPECT_EQ(inspected_marks({in.ui.theme, in.window.client, in.window.view, in.window.measure_view,
-                               in.window.files, in.window.history, in.window.frames, in.window.fields,
-                               in.window.names, in.window.tooltip, in.window.log, in.window.backgrounds})
-                  .size(),
-              4u);
+    EXPECT_EQ(in.overlay.marks().size(), 4u);
 }
 
 TEST(Inspector, AClickAsksTheLaneWhoseCurveIsNearest) {
@@ -278,7 +274,7 @@ TEST(Inspector, AClickAsksTheLaneWhoseCurveIsNearest) {
     HeadlessUi ui(1280, 800, 1);
     LanesWindow window(ui, recording);
     ASSERT_TRUE(window.eventually([&] { return window.client.session().step == 60; }));
-    Inspector& inspector = window.view.labs.inspector;
+    Inspection& inspector = window.inspector;
     inspector.open = true;
     window.frame();
     constexpr std::size_t low = 0, high = 2;
@@ -323,10 +319,10 @@ TEST(Inspector, MakesWayForLessons) {
     for (int k = 0; k < 3; ++k) in.window.frame();
     EXPECT_EQ(left(), in.window.layout.measures.x);
     // Opened later, lessons have that column all the same.
-    in.window.view.lessons = true;
+    in.window.features.right_column.lessons = true;
     for (int k = 0; k < 3; ++k) in.window.frame();
     EXPECT_EQ(left(), in.window.layout.controls.x);
-    in.window.view.lessons = false;
+    in.window.features.right_column.lessons = false;
     for (int k = 0; k < 3; ++k) in.window.frame();
     EXPECT_EQ(left(), in.window.layout.measures.x);
     // Who has put it elsewhere finds it there.
@@ -341,14 +337,14 @@ TEST(Inspector, SaysWhyThereIsNothingToTell) {
     fresh.step = 0;
     HeadlessUi ui(1280, 800, 1);
     LanesWindow window(ui, fresh);
-    window.view.labs.inspector.open = true;
-    window.view.labs.inspector.pick({12, 12});
+    window.inspector.open = true;
+    window.inspector.pick({12, 12});
     window.frame();
     EXPECT_FALSE(window.client.snapshot().explanation);
     window.player.step_once();
     ASSERT_TRUE(window.eventually([&] { return window.client.snapshot().explanation.has_value(); }));
     // A flow that is given is not moved.
-    window.view.labs.inspector.node.quantity = field::u;
+    window.inspector.node.quantity = field::u;
     EXPECT_TRUE(window.eventually([&] { return !window.client.snapshot().explanation; }));
     window.frame();
 }

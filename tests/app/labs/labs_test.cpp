@@ -17,6 +17,7 @@
 #include "app/labs/lab_widgets.h"
 #include "app/labs/monotone_region.h"
 #include "app/labs/weight_profile.h"
+#include "app/window/lists.h"
 #include "core/experiments/experiment.h"
 #include "tests/support/lanes_window.h"
 
@@ -33,21 +34,21 @@ IntervalReport of_figure(std::string_view key, std::size_t data_set, bool clampe
 TEST(Labs, CloseFromTheTopDown) {
     HeadlessUi ui(1600, 1000, 1);
     LanesWindow window(ui, {});
-    LabState& labs = window.view.labs;
-    EXPECT_FALSE(close_top_lab(labs)) << "none has been open yet";
-    labs.stencil.open = true;
+    LabWindows& labs = window.features.labs;
+    EXPECT_FALSE(labs.close_top()) << "none has been open yet";
+    labs.open("stencil") = true;
     window.frame();
-    labs.interpolation.open = true;
+    labs.open("interpolation") = true;
     window.frame();
     ImGui::SetWindowFocus("Stencil lab");
     window.frame();
-    EXPECT_TRUE(close_top_lab(labs));
-    EXPECT_FALSE(labs.stencil.open);
-    EXPECT_TRUE(labs.interpolation.open);
+    EXPECT_TRUE(labs.close_top());
+    EXPECT_FALSE(labs.open("stencil"));
+    EXPECT_TRUE(labs.open("interpolation"));
     window.frame();
-    EXPECT_TRUE(close_top_lab(labs));
-    EXPECT_FALSE(labs.interpolation.open);
-    EXPECT_FALSE(close_top_lab(labs));
+    EXPECT_TRUE(labs.close_top());
+    EXPECT_FALSE(labs.open("interpolation"));
+    EXPECT_FALSE(labs.close_top());
 }
 
 TEST(InterpolationLab, SaysWhatFigure35Says) {
@@ -250,16 +251,16 @@ constexpr Screen screens[] = {{1024, 768, 1}, {900, 600, 1}, {1600, 1000, 1}, {2
 
 TEST(LabWindows, NothingIsCutOffOnAnyScreen) {
     for (const Screen& screen : screens) {
-        for (std::size_t k = 0; k < labs().size(); ++k) {
-            const LabInfo& lab = labs()[k];
+        for (const LabEntry* entry : labs().all()) {
+            const LabEntry& lab = *entry;
             SCOPED_TRACE(testing::Message() << lab.key << " on a screen " << screen.width << " wide");
             HeadlessUi ui(screen.width, screen.height, screen.scale);
             const TracePath trace;
             LanesWindow window(ui, {.setup = {.scene = small_rotation(), .lanes = three_lanes()}},
                                trace.path);
-            lab.open(window.view.labs) = true;
-            window.view.labs.slice.compares_interpolations = true;
-            window.view.labs.inspector.pick({12, 9});
+            window.features.labs.open(lab.key) = true;
+            window.slice.compares_interpolations = true;
+            window.inspector.pick({12, 9});
             window.player.step_once();
             ASSERT_TRUE(window.eventually([&] { return window.client.session().step == 1; }));
             for (int frame = 0; frame < 3; ++frame) window.frame();
@@ -293,11 +294,12 @@ TEST(LabWindows, OpenByTheirChipsAndKeepStrokesOffTheField) {
     const TracePath trace;
     LanesWindow window(ui, {.setup = {.scene = small_rotation()}}, trace.path);
     window.frame();
-    for (const LabInfo& lab : labs()) {
+    for (const LabEntry* entry : labs().all()) {
+        const LabEntry& lab = *entry;
         const ControlRect chip = places_in(trace.path).at("lab=" + std::string(lab.key));
         window.click({chip.x, chip.y});
         window.frame();
-        EXPECT_TRUE(lab.open(window.view.labs)) << lab.key;
+        EXPECT_TRUE(window.features.labs.open(lab.key)) << lab.key;
         const ImGuiWindow* drawn = ImGui::FindWindowByName(lab.label);
         ASSERT_NE(drawn, nullptr);
         ImGui::GetIO().MousePos = {drawn->Pos.x + drawn->Size.x / 2, drawn->Pos.y + drawn->Size.y / 2};
@@ -305,7 +307,7 @@ TEST(LabWindows, OpenByTheirChipsAndKeepStrokesOffTheField) {
         window.frame();
         window.frame();
         EXPECT_TRUE(window.place.covered);
-        lab.open(window.view.labs) = false;
+        window.features.labs.open(lab.key) = false;
         window.frame();
         window.frame();
         EXPECT_FALSE(window.place.covered);
@@ -317,8 +319,8 @@ TEST(LabWindows, APointIsDraggedAndAnIntervalChosen) {
     HeadlessUi ui(1600, 1000, 1);
     const TracePath trace;
     LanesWindow window(ui, {.setup = {.scene = small_rotation()}}, trace.path);
-    InterpolationLab& lab = window.view.labs.interpolation;
-    lab.open = true;
+    auto& lab = window.features.shared.of<InterpolationState>();
+    window.features.labs.open("interpolation") = true;
     for (int frame = 0; frame < 3; ++frame) window.frame();
     const auto places = places_in(trace.path);
     const ControlRect point = places.at("interpolation-point=3");
@@ -351,8 +353,8 @@ TEST(LabWindows, CurvesThatLieOnEachOtherAreAllSeen) {
     HeadlessUi ui(1600, 1000, 1);
     const TracePath trace;
     LanesWindow window(ui, {.setup = {.scene = small_rotation()}}, trace.path);
-    InterpolationLab& lab = window.view.labs.interpolation;
-    lab.open = true;
+    auto& lab = window.features.shared.of<InterpolationState>();
+    window.features.labs.open("interpolation") = true;
     lab.shown.fill(false);
     // Of the points that Figure 3.5 shows, in one dimension, these are one cubic.
     const std::size_t one[] = {Id<Interpolation>("catmull-rom").index(),

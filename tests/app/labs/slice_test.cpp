@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "app/labs/slice.h"
 #include "app/labs/slice_overlay.h"
 #include "app/labs/slice_tool.h"
 #include "app/tools/brush_tool.h"
@@ -297,26 +298,26 @@ struct SliceWindow {
 
     HeadlessUi ui{1600, 1000, 1};
     LanesWindow window;
-    SliceTool slice;
-    BrushTool brush;
-    SliceLab& lab = window.view.labs.slice;
+    Slice& lab = window.slice;
+    SliceTool slice{ui.theme, window.client, lab};
+    BrushTool brush{window.client};
 
     explicit SliceWindow(const char* key = "rotation") : window(ui, recording(key)) {
         lab.open = true;
         for (int k = 0; k < 3; ++k) window.frame();
     }
     void frame() {
-        brush.end_frame(window.client);
+        brush.end_frame();
         window.frame();
     }
-    /// As the main_window shares events out.
+    /// As the main window shares events out.
     bool event(InputEvent::Kind kind, glm::dvec2 at, int button = 0, int mods = 0) {
         const InputEvent event{.kind = kind, .x = at.x, .y = at.y, .code = button, .mods = mods};
         ImGuiIO& io = ImGui::GetIO();
         io.MousePos = {static_cast<float>(at.x), static_cast<float>(at.y)};
         if (kind == InputEvent::Kind::Press) io.MouseDown[button] = true;
         if (kind == InputEvent::Kind::Release) io.MouseDown[button] = false;
-        const bool taken = slice.take(event, window.place, window.client.session(), 1, lab);
+        const bool taken = slice.take(event, window.place);
         if (!taken) brush.take(event, window.place);
         frame();
         return taken;

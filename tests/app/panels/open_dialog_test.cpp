@@ -13,16 +13,12 @@ namespace {
 
 struct OpenWindow : LanesWindow {
     explicit OpenWindow(HeadlessUi& headless) : LanesWindow(headless, {}) {
-        over = [this](PanelContext& context) {
-            files.dialog = false;
-            draw_open_dialog(context);
-            files.enter = files.escape = false;
-            clerk.end_frame(context, 0);
-        };
+        after_frame = [this] { service.end_frame(0); };
     }
     bool says(const std::string& what) const { return DrawnText().all().find(what) != std::string::npos; }
 
-    FileService clerk;
+    FileService service{features.services, client, measure_view};
+    OpenDialog& dialog = features.open_dialog;
 };
 
 TEST(OpenDialog, StaysWithTheReasonUntilSomethingIsOpened) {
@@ -30,23 +26,23 @@ TEST(OpenDialog, StaysWithTheReasonUntilSomethingIsOpened) {
     OpenWindow window(ui);
     window.files.ask_open = true;
     ASSERT_TRUE(window.eventually([&] { return window.files.dialog; }));
-    window.files.path = "nowhere.toml";
+    window.dialog.type("nowhere.toml");
     window.files.enter = true;
-    ASSERT_TRUE(window.eventually([&] { return !window.files.open_error.empty(); }));
+    ASSERT_TRUE(window.eventually([&] { return !window.dialog.error().empty(); }));
     for (int frame = 0; frame < 3; ++frame) window.frame();
     EXPECT_TRUE(window.files.dialog);
-    EXPECT_TRUE(window.says("nowhere.toml: there is no such file")) << window.files.open_error;
+    EXPECT_TRUE(window.says("nowhere.toml: there is no such file")) << window.dialog.error();
     EXPECT_TRUE(window.notifications.shown().empty()) << "it is said once";
 
     ImGui::ClearActiveID();  // the field that is typed into keeps its own text
-    window.files.path = presets().back().key;
+    window.dialog.type(presets().back().key);
     window.files.enter = true;
     ASSERT_TRUE(window.eventually([&] { return !window.files.dialog; }));
     EXPECT_EQ(window.client.loaded(), presets().back().key);
 
     window.files.ask_open = true;
     ASSERT_TRUE(window.eventually([&] { return window.files.dialog; }));
-    EXPECT_TRUE(window.files.open_error.empty());
+    EXPECT_TRUE(window.dialog.error().empty());
     window.files.escape = true;
     EXPECT_TRUE(window.eventually([&] { return !window.files.dialog; }));
 }

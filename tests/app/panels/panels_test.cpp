@@ -7,11 +7,7 @@
 #include <set>
 #include <sstream>
 
-#include "app/charts/measure_column.h"
-#include "app/panels/control_column.h"
-#include "app/panels/dialogs.h"
-#include "app/panels/field_area.h"
-#include "app/panels/help_overlay.h"
+#include "app/panels/list.h"
 #include "app/scenes/presets.h"
 #include "core/experiments/experiment.h"
 #include "tests/support/headless_ui.h"
@@ -42,45 +38,13 @@ std::string taken(const std::string& path) {
 std::string drawn(HeadlessUi& ui, const Recording& run, Look look) {
     const std::string path = trace_path();
     {
-        Player player(run, 1);
-        player.step_once();
-        Notifications notifications;
-        notifications.warn("a notice");
-        SessionClient client(player, notifications);
-        ViewSettings view;
-        view.help = look.help;
-        MeasureView measure_view;
-        FileRequests files;
-        files.ask_open = look.open;
-        files.ask_film = look.film;
-        History history;
-        FrameLog frames;
-        frames.add(16.7, 5);
-        LaneFields fields;
-        LaneNames names;
-        Tooltip tooltip;
-        EventLog log(path);
-        BackgroundRects backgrounds;
-        for (int frame = 0; frame < 3; ++frame) {
-            client.begin_frame();
-            std::vector<StepMeasures> measures;
-            const bool new_run = player.take_measures(measures);
-            history.take(measures, new_run);
-            fields.update(client.session(), *view.shown, view.difference);
-            names.update(client.session().setup);
-            PanelContext context{ui.theme, client, view,  measure_view, files, history,
-                                 frames,   fields, names, tooltip,      log,   backgrounds};
-            ui.frame([&] {
-                draw_control_column(context);
-                draw_measure_column(context);
-                ImGui::SetCursorPos({0, 0});
-                draw_field_area(context);
-                draw_open_dialog(context);
-                draw_film_dialog(context);
-                draw_help_overlay(context);
-                tooltip.end_frame();
-            });
-        }
+        LanesWindow window(ui, run, path);
+        window.player.step_once();
+        window.notifications.warn("a notification");
+        window.features.help.open = look.help;
+        window.files.ask_open = look.open;
+        window.files.ask_film = look.film;
+        for (int frame = 0; frame < 3; ++frame) window.frame();
     }
     return taken(path);
 }
@@ -136,7 +100,8 @@ TEST(Panels, MeasureAnyNumberOfLanesInAnyWindow) {
 
 TEST(Panels, AreListedOnce) {
     std::set<std::string> titles;
-    for (const Panel& panel : panels()) EXPECT_TRUE(titles.insert(panel.title).second) << panel.title;
+    for (const PanelEntry* panel : panels().all())
+        EXPECT_TRUE(titles.insert(panel->title).second) << panel->title;
 }
 
 TEST(Panels, DialogsHaveTheirControls) {

@@ -6,6 +6,7 @@
 
 #include <functional>
 
+#include "app/run/session_client.h"
 #include "tests/support/eventually.h"
 
 namespace whorl::app {
@@ -24,7 +25,7 @@ struct Painted {
     Player player{{.setup = {.scene = empty()}}, 1};
     Notifications notifications;
     SessionClient client{player, notifications};
-    BrushTool brush;
+    BrushTool brush{client};
     FieldViewports field{.tiles = {{0, {100, 50, 400, 400}, {100, 50, 400, 400}, 40, 40}}};
 
     Painted() { client.begin_frame(); }
@@ -46,7 +47,7 @@ TEST(BrushTool, AQuickStrokeLeavesAContinuousTrail) {
     p.event(Kind::Move, 300, 250);
     p.event(Kind::Move, 450, 250);
     p.event(Kind::Release, 450, 250);
-    p.brush.end_frame(p.client);
+    p.brush.end_frame();
     ASSERT_TRUE(p.eventually([](const Snapshot& s) { return s.density()(34, 20) > 0.1f; }));
     for (int i = 5; i <= 34; ++i) EXPECT_GT(p.client.snapshot().density()(i, 20), 0.3f) << "at cell " << i;
     EXPECT_GT(p.client.snapshot().state.velocity.u(20, 20), 1.0f) << "the fluid is dragged along";
@@ -57,7 +58,7 @@ TEST(BrushTool, TheRightButtonOnlyPushes) {
     Painted p;
     p.event(Kind::Press, 200, 250, GLFW_MOUSE_BUTTON_RIGHT);
     p.event(Kind::Move, 300, 250);
-    p.brush.end_frame(p.client);
+    p.brush.end_frame();
     ASSERT_TRUE(p.eventually([](const Snapshot& s) { return s.state.velocity.u(15, 20) > 1.0f; }));
     EXPECT_EQ(p.client.snapshot().density()(15, 20), 0.0f);
 }
@@ -67,10 +68,10 @@ TEST(BrushTool, ShiftPaintsObstaclesAndControlErasesThem) {
     const auto solid = [](const Snapshot& s) { return s.solids()[20 * 40 + 20] != 0; };
     p.event(Kind::Press, 305, 245, GLFW_MOUSE_BUTTON_LEFT, GLFW_MOD_SHIFT);
     p.event(Kind::Release, 305, 245);
-    p.brush.end_frame(p.client);
+    p.brush.end_frame();
     ASSERT_TRUE(p.eventually(solid));
     p.event(Kind::Press, 305, 245, GLFW_MOUSE_BUTTON_LEFT, GLFW_MOD_CONTROL);
-    p.brush.end_frame(p.client);
+    p.brush.end_frame();
     EXPECT_TRUE(p.eventually([&](const Snapshot& s) { return !solid(s); }));
 }
 
@@ -78,10 +79,10 @@ TEST(BrushTool, IgnoresWhatIsNotOnTheField) {
     Painted p;
     p.event(Kind::Press, 50, 250);
     p.event(Kind::Move, 300, 250);
-    p.brush.end_frame(p.client);
+    p.brush.end_frame();
     p.field.covered = true;
     p.event(Kind::Press, 300, 250);
-    p.brush.end_frame(p.client);
+    p.brush.end_frame();
     EXPECT_TRUE(lastingly([&] {
         p.client.begin_frame();
         return p.client.session().serial == 0;

@@ -57,27 +57,27 @@ void expect_letters(const Theme& theme, const std::string& text) {
     }
 }
 
-class LessonPanel : public testing::TestWithParam<float> {};
+class LessonPanelFit : public testing::TestWithParam<float> {};
 
-TEST_P(LessonPanel, CutsNothingOffOnAProjector) {
+TEST_P(LessonPanelFit, CutsNothingOffOnAProjector) {
     HeadlessUi ui(1024, 768, GetParam());
     LessonWindow window(ui);
-    window.lesson_player.set_open(true, window.client);
+    window.lesson_player.set_open(true);
     for (int frame = 0; frame < 3; ++frame) window.frame();
     expect_no_text_is_cut(window, "list");
     for (const Lesson& lesson : lessons()) {
-        window.lesson_player.begin(lesson, window.client, window.view);
+        window.lesson_player.begin(lesson);
         for (std::size_t k = 0; k < lesson.steps.size(); ++k) {
             for (int frame = 0; frame < 3; ++frame)
                 window.frame();  // a scroll bar takes its room in the second
             expect_no_text_is_cut(window, lesson.key + " " + std::to_string(k + 1));
             expect_formulas_fit(ui.theme, window.lesson_player.step());
-            window.lesson_player.next(window.client, window.view);
+            window.lesson_player.next();
         }
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scale, LessonPanel, testing::Values(1.0f, 2.0f));
+INSTANTIATE_TEST_SUITE_P(Scale, LessonPanelFit, testing::Values(1.0f, 2.0f));
 
 TEST(LessonPanelText, BreaksBetweenWordsThatMayPart) {
     HeadlessUi ui(300, 300, 1.0f);

@@ -10,7 +10,7 @@ namespace whorl::app {
 namespace {
 
 /// Three steps that differ in all that a step sets.
-Lesson walked_lesson() {
+Lesson small_lesson() {
     return parse_lesson(R"(
 whorl = 1
 title = "T"
@@ -43,14 +43,14 @@ view = "vorticity"
 mode = "difference"
 run_to = 7
 )",
-                        "walked");
+                        "small");
 }
 
 TEST(LessonPanelWalk, ShowsEachStepInOneGo) {
     HeadlessUi ui(1024, 768, 1.0f);
     LessonWindow window(ui);
-    const Lesson lesson = walked_lesson();
-    window.lesson_player.begin(lesson, window.client, window.view);
+    const Lesson lesson = small_lesson();
+    window.lesson_player.begin(lesson);
     EXPECT_TRUE(window.eventually([&] { return window.shows(lesson.steps[0]); }));
     EXPECT_EQ(window.client.loaded(), "rest");
     window.press(GLFW_KEY_PAGE_UP);
@@ -76,10 +76,10 @@ TEST(LessonPanelWalk, ShowsEachStepInOneGo) {
 TEST(LessonPanelWalk, ShowsAgainWhatWasPlayedWith) {
     HeadlessUi ui(1024, 768, 1.0f);
     LessonWindow window(ui);
-    const Lesson lesson = walked_lesson();
-    window.lesson_player.begin(lesson, window.client, window.view);
-    window.lesson_player.next(window.client, window.view);
-    window.lesson_player.next(window.client, window.view);
+    const Lesson lesson = small_lesson();
+    window.lesson_player.begin(lesson);
+    window.lesson_player.next();
+    window.lesson_player.next();
     ASSERT_TRUE(window.eventually([&] { return window.shows(lesson.steps[2]); }));
     window.client.set(parameter("beta"), 0.1);
     window.client.play(true);
@@ -87,15 +87,15 @@ TEST(LessonPanelWalk, ShowsAgainWhatWasPlayedWith) {
     window.view.compare = Compare::One;
     ASSERT_TRUE(window.eventually([&] { return window.client.session().step > 20; }));
     EXPECT_EQ(window.view.shown, &view("speed"));
-    window.lesson_player.show(window.client, window.view);
+    window.lesson_player.show();
     EXPECT_TRUE(window.eventually([&] { return window.shows(lesson.steps[2]); }));
 }
 
 TEST(LessonPanelWalk, TurnsPagesFasterThanRunsBegin) {
     HeadlessUi ui(1024, 768, 1.0f);
     LessonWindow window(ui);
-    const Lesson lesson = walked_lesson();
-    window.lesson_player.begin(lesson, window.client, window.view);
+    const Lesson lesson = small_lesson();
+    window.lesson_player.begin(lesson);
     for (int round = 0; round < 5; ++round) {
         window.press(GLFW_KEY_PAGE_DOWN);
         window.press(GLFW_KEY_PAGE_DOWN);
@@ -108,16 +108,16 @@ TEST(LessonPanelWalk, GoesFromALessonToTheNextAndBackToTheList) {
     HeadlessUi ui(1024, 768, 1.0f);
     LessonWindow window(ui);
     const auto to_its_end = [&] {
-        while (!window.lesson_player.last()) window.lesson_player.next(window.client, window.view);
+        while (!window.lesson_player.last()) window.lesson_player.next();
         window.frame();
     };
-    window.lesson_player.begin(lessons()[0], window.client, window.view);
+    window.lesson_player.begin(lessons()[0]);
     to_its_end();
     window.click("lesson-next");
     EXPECT_EQ(window.lesson_player.lesson(), &lessons()[1]);
     EXPECT_EQ(window.lesson_player.place(), 0u);
-    EXPECT_TRUE(window.lesson_player.keeps_run(window.client));
-    window.lesson_player.begin(lessons().back(), window.client, window.view);
+    EXPECT_TRUE(window.lesson_player.keeps_run());
+    window.lesson_player.begin(lessons().back());
     to_its_end();
     window.click("lesson-next");
     EXPECT_EQ(window.lesson_player.lesson(), nullptr);
@@ -157,9 +157,9 @@ TEST(LessonPanelWalk, GivesTheRunBackThatItTookThePlaceOf) {
     const std::uint64_t digest = digest_at(window, 11);
     const ViewWindow zoom = window.view.window;
     const long last = window.client.session().last_step;
-    const Lesson lesson = walked_lesson();
-    window.lesson_player.begin(lesson, window.client, window.view);
-    EXPECT_TRUE(window.lesson_player.keeps_run(window.client));
+    const Lesson lesson = small_lesson();
+    window.lesson_player.begin(lesson);
+    EXPECT_TRUE(window.lesson_player.keeps_run());
     EXPECT_TRUE(window.eventually([&] { return window.shows(lesson.steps[0]); }));
     window.press(GLFW_KEY_PAGE_DOWN);
     EXPECT_TRUE(window.eventually([&] { return window.shows(lesson.steps[1]); }));
@@ -168,11 +168,11 @@ TEST(LessonPanelWalk, GivesTheRunBackThatItTookThePlaceOf) {
     window.client.set(parameter("beta"), 0.3);
     window.lesson_player.leave();
     window.frame();
-    EXPECT_TRUE(window.lesson_player.keeps_run(window.client));
-    window.lesson_player.begin(lesson, window.client, window.view);
+    EXPECT_TRUE(window.lesson_player.keeps_run());
+    window.lesson_player.begin(lesson);
     EXPECT_TRUE(window.eventually([&] { return window.shows(lesson.steps[0]); }));
 
-    window.lesson_player.set_open(false, window.client);
+    window.lesson_player.set_open(false);
     EXPECT_TRUE(window.eventually([&] {
         return window.client.loaded() == "own" && window.client.session().step == 11 &&
                !window.client.sought();
@@ -188,24 +188,24 @@ TEST(LessonPanelWalk, GivesTheRunBackThatItTookThePlaceOf) {
     EXPECT_EQ(window.view.window.high, zoom.high);
     EXPECT_EQ(window.client.selected(), 1u);
     EXPECT_EQ(digest_at(window, 20), later) << "what was done after the step is there as well";
-    EXPECT_FALSE(window.lesson_player.keeps_run(window.client));
+    EXPECT_FALSE(window.lesson_player.keeps_run());
 }
 
 TEST(LessonPanelWalk, GivesBackARunThatPlays) {
     HeadlessUi ui(1024, 768, 1.0f);
     LessonWindow window(ui);
     make_own_run(window);
-    const Lesson lesson = walked_lesson();
-    window.lesson_player.begin(lesson, window.client, window.view);
+    const Lesson lesson = small_lesson();
+    window.lesson_player.begin(lesson);
     const long at = window.client.session().step;
     // Closed and opened again before the run has come back: it is kept on.
     EXPECT_TRUE(window.eventually([&] { return window.shows(lesson.steps[0]); }));
-    window.lesson_player.set_open(false, window.client);
+    window.lesson_player.set_open(false);
     window.frame();
     window.frame();
-    window.lesson_player.begin(lesson, window.client, window.view);
+    window.lesson_player.begin(lesson);
     EXPECT_TRUE(window.eventually([&] { return window.shows(lesson.steps[0]); }));
-    window.lesson_player.set_open(false, window.client);
+    window.lesson_player.set_open(false);
     EXPECT_TRUE(window.eventually([&] {
         return window.client.loaded() == "own" && window.client.playing() &&
                window.client.session().step > at;
@@ -216,25 +216,25 @@ TEST(LessonPanelWalk, LeavesWhatSomeoneHasLoadedSince) {
     HeadlessUi ui(1024, 768, 1.0f);
     LessonWindow window(ui);
     make_own_run(window);
-    const Lesson lesson = walked_lesson();
-    window.lesson_player.begin(lesson, window.client, window.view);
+    const Lesson lesson = small_lesson();
+    window.lesson_player.begin(lesson);
     EXPECT_TRUE(window.eventually([&] { return window.shows(lesson.steps[0]); }));
     Scene other;
     other.resolution = 12;
     window.client.load("other", {.setup = {.scene = other}});
-    EXPECT_FALSE(window.lesson_player.keeps_run(window.client));
+    EXPECT_FALSE(window.lesson_player.keeps_run());
     // It is kept in its turn when a step takes its place.
     ASSERT_TRUE(window.eventually([&] { return window.client.session().setup.scene.resolution == 12; }));
-    window.lesson_player.next(window.client, window.view);
+    window.lesson_player.next();
     EXPECT_TRUE(window.eventually([&] { return window.shows(lesson.steps[1]); }));
-    window.lesson_player.set_open(false, window.client);
+    window.lesson_player.set_open(false);
     EXPECT_TRUE(
         window.eventually([&] { return window.client.loaded() == "other" && !window.client.sought(); }));
 
-    window.lesson_player.begin(lesson, window.client, window.view);
+    window.lesson_player.begin(lesson);
     EXPECT_TRUE(window.eventually([&] { return window.shows(lesson.steps[0]); }));
     window.client.load("last", {.setup = {.scene = other}});
-    window.lesson_player.set_open(false, window.client);
+    window.lesson_player.set_open(false);
     ASSERT_TRUE(window.eventually([&] { return window.client.session().setup.scene.resolution == 12; }));
     for (int k = 0; k < 20; ++k) window.frame();
     EXPECT_EQ(window.client.loaded(), "last");
@@ -251,12 +251,12 @@ TEST(LessonPanelWalk, SaysThatARunIsTooLongToComeBack) {
     for (std::size_t k = 0; k <= Recording::max_commands; ++k)
         window.player.push(SetParameter{"beta", k % 2 == 0 ? "0.1" : "0.2"});
     ASSERT_TRUE(window.eventually([&] { return !window.client.session().complete; }));
-    const Lesson lesson = walked_lesson();
-    window.lesson_player.begin(lesson, window.client, window.view);
+    const Lesson lesson = small_lesson();
+    window.lesson_player.begin(lesson);
     EXPECT_TRUE(window.eventually([&] { return window.shows(lesson.steps[0]); }));
-    EXPECT_FALSE(window.lesson_player.keeps_run(window.client));
+    EXPECT_FALSE(window.lesson_player.keeps_run());
     EXPECT_EQ(window.notifications.shown().size(), 1u);
-    window.lesson_player.set_open(false, window.client);
+    window.lesson_player.set_open(false);
     for (int k = 0; k < 20; ++k) window.frame();
     EXPECT_TRUE(window.shows(lesson.steps[0]));
 }

@@ -13,7 +13,6 @@
 #include <GLFW/glfw3.h>
 #include <imgui_internal.h>
 
-#include "app/panels/help_overlay.h"
 #include "app/scenes/presets.h"
 #include "app/tutorial/tour_card.h"
 #include "app/tutorial/tour_memory.h"
@@ -95,14 +94,10 @@ struct TourWindow : LanesWindow {
     using LanesWindow::LanesWindow;
 
     void frames_of_tour(int count) {
-        over = [](PanelContext& context) {
-            draw_tour(context);
-            draw_help_overlay(context);
-        };
         for (int k = 0; k < count; ++k) frame();
     }
     std::optional<ControlRect> card() const {
-        return log.rects().in_sight("tour-card=" + std::to_string(view.tour.place() + 1));
+        return log.rects().in_sight("tour-card=" + std::to_string(features.tour.place() + 1));
     }
 };
 
@@ -125,12 +120,12 @@ TEST(TourCard, FindsWhatItSpeaksOfInEveryWindow) {
         HeadlessUi ui(size.width, size.height, size.scale);
         for (const std::size_t lanes : {1u, 6u}) {
             TourWindow window(ui, small_plume(lanes));
-            window.view.tour.begin();
+            window.features.tour.begin();
             for (std::size_t k = 0; k < tour_stops().size(); ++k) {
                 SCOPED_TRACE("card " + std::to_string(k + 1) + " at " + std::to_string(size.width) + ", " +
                              std::to_string(lanes) + " lanes");
                 window.frames_of_tour(settled);
-                const auto target = target_of(window.view.tour.stop(), window.log.rects());
+                const auto target = target_of(window.features.tour.stop(), window.log.rects());
                 ASSERT_TRUE(target);
                 const auto card = window.card();
                 ASSERT_TRUE(card);
@@ -142,12 +137,12 @@ TEST(TourCard, FindsWhatItSpeaksOfInEveryWindow) {
                 const ImGuiWindow* drawn = ImGui::FindWindowByName("tour");
                 EXPECT_LE(drawn->ContentSize.x, drawn->InnerRect.GetWidth() - 2 * drawn->WindowPadding.x);
                 EXPECT_LE(drawn->ContentSize.y, drawn->InnerRect.GetHeight() - 2 * drawn->WindowPadding.y);
-                if (std::string_view(window.view.tour.stop().panel) == "Labs") {
+                if (std::string_view(window.features.tour.stop().panel) == "Labs") {
                     EXPECT_TRUE(window.log.rects().in_sight("lab=interpolation"));
                 }
-                window.view.tour.next();
+                window.features.tour.next();
             }
-            EXPECT_FALSE(window.view.tour.running());
+            EXPECT_FALSE(window.features.tour.running());
         }
     }
 }
@@ -156,17 +151,17 @@ TEST(TourCard, IsUsedWithTheMouseWhileTheRunGoesOn) {
     HeadlessUi ui(1024, 768, 1);
     TourWindow window(ui, small_plume(1));
     window.player.play(true);
-    window.view.tour.begin();
+    window.features.tour.begin();
     window.frames_of_tour(settled);
     const auto middle = [&](const char* key) {
         const ControlRect place = window.log.rects().in_sight(key).value();
         return ImVec2{place.x + 0.5f * place.width, place.y + 0.5f * place.height};
     };
     window.click(middle("tour-next"));
-    EXPECT_EQ(window.view.tour.place(), 1u);
+    EXPECT_EQ(window.features.tour.place(), 1u);
     window.frames_of_tour(settled);
     window.click(middle("tour-back"));
-    EXPECT_EQ(window.view.tour.place(), 0u);
+    EXPECT_EQ(window.features.tour.place(), 0u);
     window.frames_of_tour(settled);
     EXPECT_FALSE(window.place.covered);
     ImGui::GetIO().MousePos = middle("tour-card=1");
@@ -178,7 +173,7 @@ TEST(TourCard, IsUsedWithTheMouseWhileTheRunGoesOn) {
         return window.client.session().step > step + 3;
     }));
     window.click(middle("tour-skip"));
-    EXPECT_FALSE(window.view.tour.running());
+    EXPECT_FALSE(window.features.tour.running());
     window.frames_of_tour(2);
     EXPECT_FALSE(window.card());
     EXPECT_FALSE(window.place.covered);
@@ -187,14 +182,14 @@ TEST(TourCard, IsUsedWithTheMouseWhileTheRunGoesOn) {
 TEST(TourCard, LeavesTheLeftColumnAtItsHead) {
     HeadlessUi ui(1024, 768, 1);
     TourWindow window(ui, small_plume(1));
-    window.view.tour.begin();
-    while (!window.view.tour.last()) {
+    window.features.tour.begin();
+    while (!window.features.tour.last()) {
         window.frames_of_tour(settled);
-        window.view.tour.next();
+        window.features.tour.next();
     }
     window.frames_of_tour(settled);
     ASSERT_FALSE(window.log.rects().in_sight("play")) << "the last card is about what stands below";
-    window.view.tour.next();
+    window.features.tour.next();
     window.frames_of_tour(settled);
     EXPECT_TRUE(window.log.rects().in_sight("play"));
 }
@@ -202,18 +197,18 @@ TEST(TourCard, LeavesTheLeftColumnAtItsHead) {
 TEST(TourCard, StepsAsideForTheHelpWhichBringsItBack) {
     HeadlessUi ui(1024, 768, 1);
     TourWindow window(ui, small_plume(1));
-    window.view.tour.begin();
-    window.view.tour.next();
+    window.features.tour.begin();
+    window.features.tour.next();
     window.frames_of_tour(settled);
-    window.view.help = true;
-    EXPECT_FALSE(window.view.tour_in_sight(window.files));
+    window.features.help.open = true;
+    EXPECT_FALSE(window.features.tour_in_sight());
     window.frames_of_tour(settled);
     EXPECT_FALSE(window.card());
     const ControlRect button = window.log.rects().in_sight("help-tour").value();
     window.click({button.x + 0.5f * button.width, button.y + 0.5f * button.height});
-    EXPECT_FALSE(window.view.help);
-    EXPECT_TRUE(window.view.tour.running());
-    EXPECT_EQ(window.view.tour.place(), 0u);
+    EXPECT_FALSE(window.features.help.open);
+    EXPECT_TRUE(window.features.tour.running());
+    EXPECT_EQ(window.features.tour.place(), 0u);
     window.frames_of_tour(2);
     EXPECT_TRUE(window.card());
 }

@@ -4,12 +4,10 @@
 #include <algorithm>
 #include <set>
 
-#include "app/panels/dialogs.h"
-#include "app/panels/help_overlay.h"
+#include "app/panels/list.h"
 #include "app/scenes/comparisons.h"
 #include "app/scenes/presets.h"
-#include "app/tutorial/lesson_panel.h"
-#include "app/tutorial/tour_card.h"
+#include "app/window/lists.h"
 #include "core/experiments/experiment.h"
 #include "tests/support/cut_text.h"
 #include "tests/support/lanes_window.h"
@@ -69,9 +67,9 @@ Recording with_lanes(std::size_t lanes) {
 
 void open_all_panels(LanesWindow& window) {
     window.frame();
-    for (const Panel& panel : panels()) {
-        if (panel.open) continue;
-        const ControlRect heading = window.log.rects().in_sight("panel=" + std::string(panel.title)).value();
+    for (const PanelEntry* panel : panels().all()) {
+        if (panel->open) continue;
+        const ControlRect heading = window.log.rects().in_sight("panel=" + std::string(panel->title)).value();
         window.click({heading.x + 0.5f * heading.width, heading.y + 0.5f * heading.height});
     }
     for (int frame = 0; frame < 3; ++frame) window.frame();
@@ -119,28 +117,23 @@ TEST_P(FitTall, ColumnsOfEveryExperiment) {
 INSTANTIATE_TEST_SUITE_P(Screens, FitTall, testing::ValuesIn(screens));
 
 TEST_P(Fit, Labs) {
-    for (const LabInfo& lab : labs()) {
+    for (const LabEntry* lab : labs().all()) {
         LanesWindow window(ui_, with_lanes(2));
-        lab.open(window.view.labs) = true;
+        window.features.labs.open(lab->key) = true;
         for (int frame = 0; frame < 3; ++frame) window.frame();
-        expect_whole(std::string(lab.label), names_in(window));
+        expect_whole(std::string(lab->label), names_in(window));
     }
 }
 
 TEST_P(Fit, DialogsAndHelp) {
     LanesWindow window(ui_, with_lanes(1));
-    window.over = [](PanelContext& context) {
-        draw_open_dialog(context);
-        draw_film_dialog(context);
-        draw_help_overlay(context);
-    };
-    window.view.help = true;
+    window.features.help.open = true;
     for (int frame = 0; frame < 3; ++frame) window.frame();
     expect_whole("help");
     const auto last = window.log.rects().in_sight("help-tour");
     ASSERT_TRUE(last);
     EXPECT_LE(last->y + last->height, static_cast<float>(GetParam().height)) << "the foot of the help";
-    window.view.help = false;
+    window.features.help.open = false;
     window.files.ask_open = true;
     for (int frame = 0; frame < 3; ++frame) window.frame();
     expect_whole("open dialog", {"scene or run"});
@@ -148,7 +141,6 @@ TEST_P(Fit, DialogsAndHelp) {
 
 TEST_P(Fit, FilmDialog) {
     LanesWindow window(ui_, with_lanes(1));
-    window.over = [](PanelContext& context) { draw_film_dialog(context); };
     window.files.ask_film = true;
     for (int frame = 0; frame < 3; ++frame) window.frame();
     expect_whole("film dialog");
@@ -161,18 +153,16 @@ class FitLessons : public Fit {};
 
 TEST_P(FitLessons, ListAndEveryStep) {
     LanesWindow window(ui_, with_lanes(1));
-    LessonPlayer lesson_player;
-    window.view.lessons = true;
-    window.instead = [&](PanelContext& context) { draw_lesson_panel(context, lesson_player); };
-    lesson_player.set_open(true, window.client);
+    LessonPlayer& lesson_player = window.features.lessons;
+    window.features.right_column.lessons = true;
     for (int frame = 0; frame < 3; ++frame) window.frame();
     expect_whole("list of lessons");
     for (const Lesson& lesson : lessons()) {
-        lesson_player.begin(lesson, window.client, window.view);
+        lesson_player.begin(lesson);
         for (std::size_t k = 0; k < lesson.steps.size(); ++k) {
             for (int frame = 0; frame < 3; ++frame) window.frame();
             expect_whole(lesson.key + " " + std::to_string(k + 1), names_in(window));
-            lesson_player.next(window.client, window.view);
+            lesson_player.next();
         }
     }
 }
@@ -188,10 +178,8 @@ TEST_P(FitInspector, BesideALesson) {
             set_parameter(run.setup.scene, schemes);
             run.step = 20;
             LanesWindow window(ui_, run);
-            LessonPlayer lesson_player;
-            window.view.lessons = window.view.labs.inspector.open = true;
-            window.view.labs.inspector.pick({11.3, 1.25});
-            window.instead = [&](PanelContext& context) { draw_lesson_panel(context, lesson_player); };
+            window.features.right_column.lessons = window.inspector.open = true;
+            window.inspector.pick({11.3, 1.25});
             ASSERT_TRUE(window.eventually([&] { return window.client.snapshot().explanation.has_value(); }));
             for (int frame = 0; frame < 3; ++frame) window.frame();
             expect_whole(std::string(experiment_name) + " " + schemes, names_in(window));

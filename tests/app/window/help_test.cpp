@@ -5,19 +5,16 @@
 #include <map>
 #include <set>
 
-#include "app/panels/dialogs.h"
-#include "app/panels/help_overlay.h"
 #include "app/scenes/comparisons.h"
 #include "app/scenes/presets.h"
-#include "app/tutorial/lesson_panel.h"
-#include "app/tutorial/tour_card.h"
+#include "app/window/lists.h"
 #include "core/experiments/experiment.h"
 #include "tests/support/lanes_window.h"
 
 namespace whorl::app {
 namespace {
 
-/// ControlRects that are no controls, and drawings that tell the values under the pointer instead.
+/// Rectangles that are no controls, and drawings that tell the values under the pointer instead.
 bool is_control(std::string_view key) {
     static constexpr std::string_view others[] = {"field",
                                                   "field=",
@@ -40,14 +37,8 @@ bool is_control(std::string_view key) {
 /// A window that writes down which of its controls say what they are for.
 struct HeardWindow : LanesWindow {
     HeardWindow(HeadlessUi& headless, Recording recording) : LanesWindow(headless, std::move(recording)) {
-        tooltip.on_item = [this](std::string_view key, const TooltipText& help) {
+        features.ui.tooltip.on_item = [this](std::string_view key, const TooltipText& help) {
             if (!help.text.empty() || !help.warning.empty()) on_item.emplace(key);
-        };
-        over = [](PanelContext& context) {
-            draw_open_dialog(context);
-            draw_film_dialog(context);
-            draw_tour(context);
-            draw_help_overlay(context);
         };
     }
     void frames_of(int count) {
@@ -99,7 +90,7 @@ TEST_F(Help, IsThereForColumnsTabsAndLists) {
             window.click(list);
             window.LanesWindow::click({500, 2590});
         }
-        window.view.renaming = {.id = window.client.ids()[0]};
+        if (lanes > 1) window.rename_lane(0);
         window.frames_of(3);
         EXPECT_GT(window.on_item.size(), 60u);
         window.expect_help(std::to_string(lanes) + " lanes");
@@ -117,11 +108,11 @@ TEST_F(Help, IsThereInEveryExperiment) {
 }
 
 TEST_F(Help, IsThereInLabs) {
-    for (const LabInfo& lab : labs()) {
+    for (const LabEntry* lab : labs().all()) {
         HeardWindow window(ui_, run_of(presets().front().scene(), 2));
-        lab.open(window.view.labs) = true;
+        window.features.labs.open(lab->key) = true;
         window.frames_of(4);
-        window.expect_help(std::string(lab.label));
+        window.expect_help(std::string(lab->label));
     }
 }
 
@@ -138,13 +129,12 @@ TEST_F(Help, IsThereInDialogsTourAndHelp) {
     window.frame();
     window.files.escape = false;
     window.files.filming = FilmProgress{"film.mp4", 1};
-    window.files.dialog = false;
-    window.view.tour.begin();
-    while (window.view.tour.running()) {
+    window.features.tour.begin();
+    while (window.features.tour.running()) {
         window.frames_of(4);
-        window.view.tour.next();
+        window.features.tour.next();
     }
-    window.view.help = true;
+    window.features.help.open = true;
     window.frames_of(3);
     for (const char* key : {"open-do", "film-do", "tour-next", "help-tour"})
         EXPECT_TRUE(window.on_item.count(key)) << key << " was not drawn";
@@ -153,15 +143,15 @@ TEST_F(Help, IsThereInDialogsTourAndHelp) {
 
 TEST_F(Help, IsThereInLessons) {
     HeardWindow window(ui_, run_of(presets().front().scene(), 1));
-    LessonPlayer lesson_player;
-    window.instead = [&](PanelContext& context) { draw_lesson_panel(context, lesson_player); };
+    LessonPlayer& lesson_player = window.features.lessons;
+    window.features.right_column.lessons = true;
     window.frames_of(3);
-    lesson_player.begin(lessons().front(), window.client, window.view);
+    lesson_player.begin(lessons().front());
     window.frames_of(3);
-    while (!lesson_player.last()) lesson_player.next(window.client, window.view);
+    while (!lesson_player.last()) lesson_player.next();
     window.frames_of(3);
-    lesson_player.begin(lessons().back(), window.client, window.view);
-    while (!lesson_player.last()) lesson_player.next(window.client, window.view);
+    lesson_player.begin(lessons().back());
+    while (!lesson_player.last()) lesson_player.next();
     window.frames_of(3);
     EXPECT_TRUE(window.on_item.count("lesson-next"));
     window.expect_help("lessons");

@@ -112,7 +112,7 @@ TEST(LanesWindow, EveryControlHasAKeyInTheTrace) {
         LanesWindow window(ui, {.setup = {.scene = box(40, 40, 20), .lanes = lanes(3)}}, path);
         window.view.window = {{0.25f, 0.25f}, {0.75f, 0.75f}};
         window.frame();
-        window.view.renaming.id = window.client.ids()[1];
+        window.rename_lane(1);
         window.frame();
     }
     std::ifstream file(path);
@@ -191,11 +191,11 @@ TEST(LanesWindow, OneStrokeOnAnyTileGoesIntoAllLanes) {
                 EXPECT_GE(pixel.x, rect.x);
                 return InputEvent{.kind = kind, .x = pixel.x, .y = pixel.y};
             };
-            BrushTool brush;
+            BrushTool brush(window.client);
             brush.take(event(Kind::Press, 22), window.place);
             brush.take(event(Kind::Move, 30), window.place);
             brush.take(event(Kind::Release, 30), window.place);
-            brush.end_frame(window.client);
+            brush.end_frame();
             EXPECT_TRUE(window.eventually([&] { return window.client.snapshot().density()(26, 28) > 0.1f; }));
             const auto& snapshots = window.client.session().lanes;
             for (int i = 22; i < 30; ++i) {
@@ -317,32 +317,42 @@ struct Viewed {
                                    {1, {520, 100, 400, 400}, {520, 100, 400, 400}, 40, 40}},
                          .cells = {128, 128}};
     ViewSettings view;
-    ViewTool tool;
+    ViewTool tool{view};
+    double x = 0, y = 0;  ///< of the pointer
 
-    bool event(Kind kind, double x, double y, int code = 0, int mods = 0) {
-        const bool taken = tool.take({.kind = kind, .x = x, .y = y, .code = code, .mods = mods}, place, view);
+    bool event(InputEvent event) {
+        const bool taken = tool.take(event, place);
         place.window = view.window;
         return taken;
+    }
+    bool event(Kind kind, double to_x, double to_y, int code = 0, int mods = 0) {
+        x = to_x;
+        y = to_y;
+        return event({.kind = kind, .x = x, .y = y, .code = code, .mods = mods});
+    }
+    bool type(int character) { return event({.kind = Kind::Character, .x = x, .y = y, .code = character}); }
+    bool wheel(double turn, int mods = 0) {
+        return event({.kind = Kind::Wheel, .x = x, .y = y, .turn = turn, .mods = mods});
     }
 };
 
 TEST(ViewTool, ControlWheelZoomsAboutThePointer) {
     Viewed v;
     EXPECT_FALSE(v.event(Kind::Move, 620, 200));
-    EXPECT_FALSE(v.event(Kind::Wheel, 0, 1)) << "that is the brush's";
+    EXPECT_FALSE(v.wheel(1)) << "that is the brush's";
     const WorldPoint before = v.place.world(v.place.tiles[1], 620, 200);
-    EXPECT_TRUE(v.event(Kind::Wheel, 0, 3, 0, GLFW_MOD_CONTROL));
+    EXPECT_TRUE(v.wheel(3, GLFW_MOD_CONTROL));
     EXPECT_FALSE(v.view.window.whole());
     for (const FieldTile& tile : v.place.tiles) {
         const WorldPoint after = v.place.world(tile, tile.rect.x + 100, 200);
         EXPECT_NEAR(after.x, before.x, 1e-4) << "linked, and held under the pointer";
         EXPECT_NEAR(after.y, before.y, 1e-4);
     }
-    EXPECT_TRUE(v.event(Kind::Character, 0, 0, '-'));
-    EXPECT_TRUE(v.event(Kind::Character, 0, 0, '+'));
-    EXPECT_TRUE(v.event(Kind::Character, 0, 0, '0'));
+    EXPECT_TRUE(v.type('-'));
+    EXPECT_TRUE(v.type('+'));
+    EXPECT_TRUE(v.type('0'));
     EXPECT_TRUE(v.view.window.whole());
-    EXPECT_FALSE(v.event(Kind::Character, 0, 0, '1'));
+    EXPECT_FALSE(v.type('1'));
 }
 
 TEST(ViewTool, MiddleOrAltDragMovesWhatIsShown) {
@@ -350,7 +360,7 @@ TEST(ViewTool, MiddleOrAltDragMovesWhatIsShown) {
          {std::pair{GLFW_MOUSE_BUTTON_MIDDLE, 0}, {GLFW_MOUSE_BUTTON_LEFT, GLFW_MOD_ALT}}) {
         Viewed v;
         v.event(Kind::Move, 300, 300);
-        v.event(Kind::Wheel, 0, 4, 0, GLFW_MOD_CONTROL);
+        v.wheel(4, GLFW_MOD_CONTROL);
         const WorldPoint held = v.place.world(v.place.tiles[0], 300, 300);
         EXPECT_TRUE(v.event(Kind::Press, 300, 300, button, mods));
         EXPECT_TRUE(v.event(Kind::Move, 330, 280));
