@@ -115,10 +115,9 @@ std::vector<const Measure*> measures_in_sight(MeasureTab tab) {
     for (const Measure* measure : measures().all()) {
         const Page page = measure->plot.page;
         const bool of_budget = page == Page::Budget || page == Page::BudgetShares;
-        const bool in_sight = (tab == MeasureTab::Plots && page == Page::Plots) ||
-                              (tab == MeasureTab::Budget && of_budget) ||
-                              (tab == MeasureTab::Table && !measure->column.group.empty()) ||
-                              !measure->headline.symbol.empty();
+        const bool in_sight =
+            (tab == MeasureTab::Plots && page == Page::Plots) || (tab == MeasureTab::Budget && of_budget) ||
+            (tab == MeasureTab::Table && !measure->column.group.empty()) || !measure->headline.symbol.empty();
         if (in_sight && measure->row) all.push_back(measure);
     }
     return all;

@@ -163,8 +163,7 @@ class InspectorLab final : public Lab {
             const bool known = k < std::size(names);
             const TooltipText words{known ? names[k] : std::string_view(e.steps[k].title),
                                     known ? help[k] : "", "", "", ""};
-            if (ui_.chip_in_row(key, inspection_.shown(e) == k, width, k == 0, words))
-                inspection_.step = k;
+            if (ui_.chip_in_row(key, inspection_.shown(e) == k, width, k == 0, words)) inspection_.step = k;
         }
     }
 

@@ -61,8 +61,7 @@ class InterpolationLab final : public Lab {
         const Field row = row_of(state_.values);
         IntervalReports reports;
         for (std::size_t k = 0; k < state_.shown.size(); ++k)
-            reports.push_back(
-                report_on(row, Id<Interpolation>::at(k), state_.clamped, state_.interval));
+            reports.push_back(report_on(row, Id<Interpolation>::at(k), state_.clamped, state_.interval));
 
         const ImVec2 room = ImGui::GetContentRegionAvail();
         const float gap = ImGui::GetStyle().ItemSpacing.y;

@@ -50,7 +50,7 @@ TEST(Table52, IsReproducedWithItsRates) {
             run("rotation", {"advector=aslam", "resolution=" + std::to_string(row.resolution)}, 1200).errors;
         for (double Errors::*norm : {&Errors::L1, &Errors::L2, &Errors::Linf}) {
             EXPECT_NEAR(e.*norm, row.errors.*norm, share * row.errors.*norm);
-            if (last.*norm == 0) continue;
+            if (std::isnan(row.rates.*norm)) continue;  // of the first row
             EXPECT_NEAR(std::log2(last.*norm / e.*norm), row.rates.*norm, rate_slack);
         }
         last = e;

@@ -355,7 +355,7 @@ TEST(LabWindows, CurvesThatLieOnEachOtherAreAllSeen) {
     LanesWindow window(ui, {.setup = {.scene = small_rotation()}}, trace.path);
     auto& lab = window.features.shared.of<InterpolationState>();
     window.features.labs.open("interpolation") = true;
-    lab.shown.fill(false);
+    lab.shown.assign(lab.shown.size(), false);
     // Of the points that Figure 3.5 shows, in one dimension, these are one cubic.
     const std::size_t one[] = {Id<Interpolation>("catmull-rom").index(),
                                Id<Interpolation>("monotone-catmull-rom").index(),

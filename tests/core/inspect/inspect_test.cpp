@@ -110,8 +110,9 @@ Step1 any_step() {
     const bool line = *rc::gen::inRange(0, 4) == 0;
     const Grid grid{*rc::gen::inRange(4, 40), line ? 1 : *rc::gen::inRange(4, 24),
                     *rc::gen::element(0.25, 0.7, 1.0)};
-    return Step1(grid, any<Sides>(), schemes, *rc::gen::element(0.0, 0.0, 0.15),
-                 *rc::gen::element(0.2, 1.0, 3.5), *rc::gen::arbitrary<unsigned>());
+    return Step1(grid, Sides::Id::at(*rc::gen::inRange<std::size_t>(0, Sides::infos.size())), schemes,
+                 *rc::gen::element(0.0, 0.0, 0.15), *rc::gen::element(0.2, 1.0, 3.5),
+                 *rc::gen::arbitrary<unsigned>());
 }
 
 struct Node {

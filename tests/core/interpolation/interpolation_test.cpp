@@ -186,8 +186,8 @@ RC_GTEST_PROP(Bicubic, IsThePatchOfValuesAndDerivatives, ()) {
     f << 1, 0, -3, 2, 0, 0, 3, -2, 0, 1, -2, 1, 0, 0, -1, 1;
     const double patch = Eigen::RowVector4d(1, x, x * x, x * x * x) * f.transpose() * a * f *
                          Eigen::Vector4d(1, y, y * y, y * y * y);
-    Real rows[4];
-    for (int j = 0; j < 4; ++j) {
+    std::array<Real, 4> rows;
+    for (std::size_t j = 0; j < 4; ++j) {
         const std::array<Real, 4> row = {Real(q[j][0]), Real(q[j][1]), Real(q[j][2]), Real(q[j][3])};
         rows[j] = at(scheme("bicubic"), row, Real(x));
     }
