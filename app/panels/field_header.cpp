@@ -15,11 +15,11 @@ namespace {
 std::span<const char* const> usual_hints(bool curves) {
     static constexpr const char* flat[] = {"Space pauses  ·  . steps  ·  R resets  ·  F12 picture  ·  H keys",
                                            "Space pauses  ·  H keys", "H keys"};
-    static constexpr const char* plane[] = {
+    static constexpr const char whole[] =
         "Drag to inject smoke  ·  right-drag to push  ·  shift-drag to build  ·  Space pauses  ·  F12 "
-        "picture  ·  H "
-        "keys",
-        "Drag to inject smoke  ·  right-drag to push  ·  Space pauses  ·  F12 picture  ·  H keys",
+        "picture  ·  H keys";
+    static constexpr const char* plane[] = {
+        whole, "Drag to inject smoke  ·  right-drag to push  ·  Space pauses  ·  F12 picture  ·  H keys",
         "Drag to inject smoke  ·  right-drag to push  ·  H keys", "Drag to inject smoke  ·  H keys",
         "H keys"};
     return curves ? std::span<const char* const>(flat) : plane;

@@ -1,11 +1,9 @@
 #include "app/run/field_layers.h"
 
-#include <ranges>
-
 namespace whorl::app {
 
 bool FieldLayers::take(const InputEvent& event, const FieldViewports& fields) {
-    for (const auto& tool : tools_ | std::views::reverse) {
+    for (const auto& tool : tools_) {
         if (tool->take(event, fields)) return true;
     }
     return false;
@@ -17,7 +15,7 @@ void FieldLayers::end_frame() {
 
 void FieldLayers::draw(const FieldViewports& fields, ImDrawList& list) {
     bool claimed = false;
-    for (const auto& tool : tools_ | std::views::reverse) claimed = tool->hover(fields) || claimed;
+    for (const auto& tool : tools_) claimed = tool->hover(fields) || claimed;
     for (const auto& overlay : overlays_) overlay->draw(fields, list, claimed);
 }
 
@@ -35,7 +33,7 @@ void FieldLayers::hover_curves(double x, std::size_t lane) {
 }
 
 std::span<const char* const> FieldLayers::hints(bool curves) const {
-    for (const auto& tool : tools_ | std::views::reverse) {
+    for (const auto& tool : tools_) {
         if (const auto hints = tool->hints(curves); !hints.empty()) return hints;
     }
     return {};

@@ -11,7 +11,9 @@ namespace whorl::app {
 class FieldLayers {
   public:
     /// Tools lie over each other: the one that was added last is asked first.
-    void add(const ToolEntry& entry, const Services& services) { tools_.push_back(entry.make(services)); }
+    void add(const ToolEntry& entry, const Services& services) {
+        tools_.insert(tools_.begin(), entry.make(services));
+    }
     /// Overlays are drawn in the order in which they were added.
     void add(const OverlayEntry& entry, const Services& services) {
         overlays_.push_back(entry.make(services));
@@ -29,7 +31,7 @@ class FieldLayers {
     std::span<const char* const> hints(bool curves) const;
 
   private:
-    std::vector<std::unique_ptr<Tool>> tools_;
+    std::vector<std::unique_ptr<Tool>> tools_;  ///< the topmost first
     std::vector<std::unique_ptr<FieldOverlay>> overlays_;
 };
 
