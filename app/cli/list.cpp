@@ -12,6 +12,7 @@
 #include "core/experiments/experiment.h"
 #include "core/measure/measure.h"
 #include "core/scene/parameters.h"
+#include "core/sources/edit.h"
 
 namespace whorl::app {
 namespace {
@@ -93,6 +94,17 @@ std::vector<Row> measure_rows() {
     return rows;
 }
 
+std::vector<Row> edit_rows() {
+    std::vector<Row> rows{{"verb", "numbers", "meaning"}};
+    for (const EditVerb* verb : EditVerb::list().all()) {
+        std::string numbers;
+        for (const std::string_view number : verb->numbers)
+            numbers += (numbers.empty() ? "" : " ") + std::string(number);
+        rows.push_back({std::string(verb->info.key), numbers, std::string(verb->info.help)});
+    }
+    return rows;
+}
+
 std::vector<Row> parameter_rows() {
     std::vector<Row> rows{{"key", "default", "range", "unit", "meaning"}};
     for (const Parameter& p : parameters()) {
@@ -132,6 +144,7 @@ constexpr Listing listings[] = {
     {"pressures", [] { return choice_rows("pressure"); }},
     {"maps", map_rows},
     {"measures", measure_rows},
+    {"edits", edit_rows},
     {"parameters", parameter_rows},
 };
 

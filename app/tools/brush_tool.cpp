@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "app/tools/list.h"
+#include "core/sources/obstacle_stroke.h"
+#include "core/sources/smoke_stroke.h"
 
 namespace whorl::app {
 namespace {

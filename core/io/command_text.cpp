@@ -11,22 +11,6 @@
 namespace whorl {
 namespace {
 
-constexpr std::string_view verbs[] = {"set", "smoke", "push", "build", "erase", "lanes"};
-
-void append(std::string& line, double value) {
-    line += ' ' + shortest(value);
-}
-
-/// The amount of a scalar beside smoke and heat, which have places of their own.
-void append(std::string& line, FieldId id, double amount) {
-    if (id == field::density || id == field::temperature || amount == 0) return;
-    line += ' ' + std::string(id.info().key) + '=' + shortest(amount);
-}
-
-void append(std::string& line, const Segment& s) {
-    for (const double value : {s.x0, s.y0, s.x1, s.y1}) append(line, value);
-}
-
 /// Takes one word after the other off a line.
 class Words {
   public:
@@ -51,17 +35,6 @@ class Words {
         }
         return value;
     }
-    Segment segment() {
-        Segment s;
-        for (double* value : {&s.x0, &s.y0, &s.x1, &s.y1}) *value = number<double>();
-        return s;
-    }
-    double radius() {
-        const Parameter& p = parameter("brush.radius");
-        const double value = number<double>();
-        p.check(value);
-        return value;
-    }
     std::string_view rest() { return std::exchange(rest_, {}); }
 
     static std::string shown(std::string_view word) {
@@ -74,11 +47,11 @@ class Words {
 };
 
 /// A scalar that is given as key=value.
-FieldId find_source(std::string_view key) {
+FieldId find_source(const EditVerb& verb, std::string_view key) {
     std::vector<std::string_view> keys;
     std::optional<FieldId> found;
     for_sources([&](FieldId id) {
-        if (id == field::density || id == field::temperature) return;
+        if (has_number(verb, id)) return;
         if (id.info().key == key) found = id;
         keys.push_back(id.info().key);
     });
@@ -88,22 +61,30 @@ FieldId find_source(std::string_view key) {
     return *found;
 }
 
-SmokeStroke read_smoke(Words& words, bool smoke) {
-    SmokeStroke s{.along = words.segment(), .radius = words.radius(), .smoke = smoke};
-    for (double* value : {&s.amounts.at(field::density), &s.amounts.at(field::temperature), &s.push,
-                          &s.velocity_x, &s.velocity_y})
-        *value = words.number<double>();
-    for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
-        const std::size_t equals = std::min(word.find('='), word.size());
-        const FieldId id = find_source(word.substr(0, equals));
-        s.amounts.set(id, Words(word.substr(std::min(equals + 1, word.size()))).number<double>());
+Edit read_edit(const EditVerb& verb, Words& words) {
+    Edit edit{verb, {}};
+    for (std::size_t k = 0; k < verb.numbers.size(); ++k) edit.numbers.push_back(words.number<double>());
+    if (verb.takes_amounts) {
+        for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
+            const std::size_t equals = std::min(word.find('='), word.size());
+            const FieldId id = find_source(verb, word.substr(0, equals));
+            edit.amounts.set(id, Words(word.substr(std::min(equals + 1, word.size()))).number<double>());
+        }
     }
-    return s;
+    if (verb.check != nullptr) verb.check(edit);
+    return edit;
 }
 
-ObstacleStroke read_obstacle(Words& words, bool solid) {
-    const Segment along = words.segment();
-    return {along, words.radius(), solid};
+void append(std::string& line, const Edit& edit) {
+    const EditVerb& verb = edit.verb.entry();
+    line += verb.info.key;
+    for (const double value : edit.numbers) line += ' ' + shortest(value);
+    if (!verb.takes_amounts) return;
+    for_sources([&](FieldId id) {
+        const double amount = edit.amounts[id];
+        if (amount != 0 && !has_number(verb, id))
+            line += ' ' + std::string(id.info().key) + '=' + shortest(amount);
+    });
 }
 
 Command read_command(Words& words, std::span<const Arrange> arrangements) {
@@ -116,8 +97,6 @@ Command read_command(Words& words, std::span<const Arrange> arrangements) {
         return SetParameter{std::string(assignment.substr(0, equals)),
                             std::string(assignment.substr(equals + 1))};
     }
-    if (verb == "smoke" || verb == "push") return read_smoke(words, verb == "smoke");
-    if (verb == "build" || verb == "erase") return read_obstacle(words, verb == "build");
     if (verb == "lanes") {
         const auto k = words.number<std::size_t>();
         if (k >= arrangements.size())
@@ -125,8 +104,11 @@ Command read_command(Words& words, std::span<const Arrange> arrangements) {
                              std::to_string(arrangements.size()));
         return arrangements[k];
     }
-    throw InputError("unknown command \"" + Words::shown(verb) + "\"; " +
-                     suggestion(verb, {std::begin(verbs), std::end(verbs)}));
+    if (const EditVerb* edit = EditVerb::list().seek(verb)) return read_edit(*edit, words);
+    std::vector<std::string_view> verbs{"set"};
+    for (const EditVerb* edit : EditVerb::list().all()) verbs.push_back(edit->info.key);
+    verbs.push_back("lanes");
+    throw InputError("unknown command \"" + Words::shown(verb) + "\"; " + suggestion(verb, verbs));
 }
 
 }  // namespace
@@ -135,28 +117,14 @@ std::string write_commands(std::span<const Stamped> commands, std::vector<Arrang
     std::string text;
     for (const auto& [step, command] : commands) {
         text += std::to_string(step) + ' ';
-        std::visit(
-            [&]<class C>(const C& c) {
-                if constexpr (std::is_same_v<C, SetParameter>) {
-                    text += "set " + c.key + '=' + c.value;
-                } else if constexpr (std::is_same_v<C, SmokeStroke>) {
-                    text += c.smoke ? "smoke" : "push";
-                    append(text, c.along);
-                    for (const double value :
-                         {c.radius, c.amounts[field::density], c.amounts[field::temperature], c.push,
-                          c.velocity_x, c.velocity_y})
-                        append(text, value);
-                    for_sources([&](FieldId id) { append(text, id, c.amounts[id]); });
-                } else if constexpr (std::is_same_v<C, ObstacleStroke>) {
-                    text += c.solid ? "build" : "erase";
-                    append(text, c.along);
-                    append(text, c.radius);
-                } else if constexpr (std::is_same_v<C, Arrange>) {
-                    text += "lanes " + std::to_string(arrangements.size());
-                    arrangements.push_back(c);
-                }
-            },
-            command);
+        if (const auto* edit = std::get_if<Edit>(&command)) {
+            append(text, *edit);
+        } else if (const auto* change = std::get_if<SetParameter>(&command)) {
+            text += "set " + change->key + '=' + change->value;
+        } else if (const auto* other = std::get_if<Arrange>(&command)) {
+            text += "lanes " + std::to_string(arrangements.size());
+            arrangements.push_back(*other);
+        }
         text += '\n';
     }
     return text;

@@ -1,4 +1,4 @@
-// Commands as lines of text: `STEP set KEY=VALUE`, `STEP smoke …`, `STEP build …`, `STEP lanes K`.
+// Commands as lines of text: `STEP set KEY=VALUE`, `STEP lanes K`, and an edit as its verb and numbers.
 #pragma once
 
 #include <span>

@@ -1,7 +1,7 @@
 // Emitters, buoyancy and vorticity confinement.  [T alg 2.1; F 4, 11–13]
 #include "core/forces/buoyancy.h"
-#include "core/forces/emitters.h"
 #include "core/phases/phase.h"
+#include "core/sources/emitters.h"
 
 namespace whorl {
 namespace {

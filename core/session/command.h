@@ -4,8 +4,8 @@
 #include <variant>
 #include <vector>
 
-#include "core/forces/brush.h"
 #include "core/session/setup.h"
+#include "core/sources/edit.h"
 
 namespace whorl {
 
@@ -22,7 +22,7 @@ struct Restart {
     bool operator==(const Restart&) const = default;
 };
 
-/// SetParameter changes the scene of all lanes; a lane's own overrides stay. Strokes go into all lanes.
-using Command = std::variant<SetParameter, SmokeStroke, ObstacleStroke, Arrange, Restart>;
+/// SetParameter changes the scene of all lanes; a lane's own overrides stay. An Edit goes into all lanes.
+using Command = std::variant<SetParameter, Edit, Arrange, Restart>;
 
 }  // namespace whorl

@@ -85,19 +85,15 @@ void Session::apply(const Command& command) {
 }
 
 void Session::act(const Command& command) {
-    std::visit(
-        [&]<class C>(const C& c) {
-            if constexpr (std::is_same_v<C, SetParameter>) {
-                Setup changed = setup_;
-                set_parameter(changed.scene, c.key, c.value);
-                set(changed);
-            } else if constexpr (std::is_same_v<C, Arrange>) {
-                arrange(c);
-            } else if constexpr (!std::is_same_v<C, Restart>) {
-                for (Place& place : lanes_) place.lane->simulation().apply(c);
-            }
-        },
-        command);
+    if (const auto* edit = std::get_if<Edit>(&command)) {
+        for (Place& place : lanes_) place.lane->simulation().apply(*edit);
+    } else if (const auto* change = std::get_if<SetParameter>(&command)) {
+        Setup changed = setup_;
+        set_parameter(changed.scene, change->key, change->value);
+        set(changed);
+    } else if (const auto* other = std::get_if<Arrange>(&command)) {
+        arrange(*other);
+    }
 }
 
 void Session::set(const Setup& setup) {

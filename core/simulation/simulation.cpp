@@ -61,14 +61,10 @@ void Simulation::set_scene(const Scene& scene) {
     solvers_.projection.set_solver(scene.pressure, scene.tolerance);
 }
 
-void Simulation::apply(const SmokeStroke& stroke) {
-    if (experiment_->flow) solvers_.advected.reset();  // it pushes the very flow that moved the density
-    whorl::apply(stroke, state_);
-}
-
-void Simulation::apply(const ObstacleStroke& stroke) {
-    solvers_.advected.reset();
-    whorl::apply(stroke, state_, scene_);
+void Simulation::apply(const Edit& edit) {
+    // A given flow is the very one that moved the density.
+    if (edit.verb->changes_walls || experiment_->flow) solvers_.advected.reset();
+    whorl::apply(edit, state_, scene_);
 }
 
 void Simulation::set(const Scene& scene) {

@@ -3,9 +3,9 @@
 
 #include <optional>
 
-#include "core/forces/brush.h"
 #include "core/phases/phase.h"
 #include "core/scene/step_order.h"
+#include "core/sources/edit.h"
 
 namespace whorl {
 
@@ -29,8 +29,7 @@ class Simulation {
     void step();
 
     // These act before the next step.
-    void apply(const SmokeStroke& stroke);
-    void apply(const ObstacleStroke& stroke);
+    void apply(const Edit& edit);
     /// Another setup for the running fields, which are resampled if the grid changes. What a scene starts
     /// with (emitters aside) is for a restart.  @throws InputError, with nothing changed
     void set(const Scene& scene);

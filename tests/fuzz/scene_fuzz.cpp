@@ -3,6 +3,8 @@
 #include "core/experiments/experiment.h"
 #include "core/io/run_file.h"
 #include "core/scene/parameters.h"
+#include "core/sources/obstacle_stroke.h"
+#include "core/sources/smoke_stroke.h"
 #include "tests/fuzz/fuzz.h"
 
 namespace whorl::fuzz {

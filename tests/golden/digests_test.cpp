@@ -10,6 +10,8 @@
 #include "core/io/run_file.h"
 #include "core/scene/parameters.h"
 #include "core/session/session.h"
+#include "core/sources/obstacle_stroke.h"
+#include "core/sources/smoke_stroke.h"
 
 namespace whorl {
 namespace {

@@ -13,6 +13,7 @@
 #include "app/tools/view_tool.h"
 #include "app/window/field_painter.h"
 #include "core/experiments/experiment.h"
+#include "core/sources/smoke_stroke.h"
 #include "tests/support/lanes_window.h"
 
 namespace whorl::app {

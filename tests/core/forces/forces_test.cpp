@@ -1,13 +1,11 @@
-// Buoyancy, confinement, emitters and the brush.
+// Buoyancy and confinement.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "core/experiments/experiment.h"
-#include "core/forces/brush.h"
 #include "core/forces/buoyancy.h"
 #include "core/forces/confinement.h"
-#include "core/forces/emitters.h"
+#include "core/scene/state.h"
 
 namespace whorl {
 namespace {
@@ -17,9 +15,6 @@ State still(int n = 20) {
     scene.resolution = n;
     return make_state(scene);
 }
-
-/// Whose still air has 5 degrees.
-const Scene cool;
 
 TEST(Buoyancy, LiftsHeatAndSinksSmoke) {
     State state = still();
@@ -63,78 +58,6 @@ TEST(Confinement, FeedsAVortex) {
     EXPECT_LT(state.velocity.v(7, 10), before.v(7, 10));
     EXPECT_LT(state.velocity.u(10, 13), before.u(10, 13));
     EXPECT_GT(state.velocity.u(10, 7), before.u(10, 7));
-}
-
-TEST(Emitters, OpenForJustTheirSteps) {
-    const Emitter emitter{.from = 0, .until = 10};
-    int open = 0;
-    double time = 0;
-    for (int step = 0; step < 1200; ++step, time += 1.0 / 60)
-        open += is_open(emitter, time, 1.0 / 60) ? 1 : 0;
-    EXPECT_EQ(open, 600);
-}
-
-TEST(Emitters, HoldTheirValuesAndCountWhatTheyPutIn) {
-    State state = still(40);
-    const Emitter emitter{.x = 20,
-                          .y = 1,
-                          .width = 4,
-                          .height = 2,
-                          .amounts = {{field::density, 0.5}, {field::temperature, 50}}};
-    apply_emitters(state, std::span(&emitter, 1), 0.1);
-    EXPECT_EQ(state.density()(18, 0), Real(0.5));
-    EXPECT_EQ(state.density()(21, 1), Real(0.5));
-    EXPECT_EQ(state.density()(17, 0), 0);
-    EXPECT_EQ(state.density()(18, 2), 0);
-    EXPECT_EQ(state.temperature()(19, 1), 50);
-    EXPECT_NEAR(state.injected[0], 0.5 * 4 * 2, 1e-9);
-    apply_emitters(state, std::span(&emitter, 1), 0.1);
-    EXPECT_NEAR(state.injected[0], 0.5 * 4 * 2, 1e-9) << "holding adds nothing";
-}
-
-/// One quick stroke across the domain leaves smoke at every cell on its way.
-TEST(Brush, LeavesAContinuousTrail) {
-    State state = still(40);
-    apply(SmokeStroke{.along = {4, 20, 36, 22},
-                      .radius = 1.5,
-                      .amounts = {{field::density, 0.5}, {field::temperature, 30}}},
-          state);
-    for (int i = 5; i < 35; ++i) {
-        Real most = 0;
-        for (int j = 15; j < 27; ++j) most = std::max(most, state.density()(i, j));
-        EXPECT_GT(most, Real(0.2)) << "column " << i;
-    }
-    EXPECT_NEAR(state.injected[0], total(state.density(), state.boundary), 1e-5);
-}
-
-TEST(Brush, DragsTheFluidAlongAndPushesWithoutSmoke) {
-    State state = still(40);
-    apply(SmokeStroke{.along = {10, 20, 20, 20}, .radius = 2, .push = 1, .velocity_x = 5, .smoke = false},
-          state);
-    EXPECT_GT(state.velocity.u(15, 19), Real(3));
-    EXPECT_EQ(total(state.density(), state.boundary), 0);
-    EXPECT_EQ(state.injected[0], 0);
-}
-
-TEST(Brush, PaintsAndErasesObstacles) {
-    State state = still(40);
-    apply(SmokeStroke{.along = {20, 20, 20, 20}, .radius = 4, .amounts = {{field::density, 1}}}, state);
-    const double before = state.injected[0];
-    apply(ObstacleStroke{.along = {20, 20, 20, 20}, .radius = 2, .solid = true}, state, cool);
-    EXPECT_TRUE(state.boundary.solid(20, 20));
-    EXPECT_LT(state.injected[0], before) << "walled-in smoke is taken out of the account";
-    EXPECT_NEAR(state.injected[0], total(state.density(), state.boundary), 1e-5);
-    apply(ObstacleStroke{.along = {20, 20, 20, 20}, .radius = 3, .solid = false}, state, cool);
-    EXPECT_FALSE(state.boundary.has_solids());
-    EXPECT_EQ(state.density()(20, 20), 0);
-    EXPECT_NEAR(state.injected[0], total(state.density(), state.boundary), 1e-5);
-}
-
-/// The smallest brush still meets a cell.
-TEST(Brush, SmallestObstacleBrushMeetsACell) {
-    State state = still(40);
-    apply(ObstacleStroke{.along = {20, 20, 20, 20}, .radius = 0.01, .solid = true}, state, cool);
-    EXPECT_TRUE(state.boundary.has_solids());
 }
 
 }  // namespace

@@ -17,6 +17,8 @@
 #include "core/scene/parameters.h"
 #include "core/scene/step_order.h"
 #include "core/session/player.h"
+#include "core/sources/obstacle_stroke.h"
+#include "core/sources/smoke_stroke.h"
 
 namespace whorl {
 namespace {

@@ -8,6 +8,8 @@
 
 #include "core/scene/parameters.h"
 #include "core/simulation/simulation.h"
+#include "core/sources/obstacle_stroke.h"
+#include "core/sources/smoke_stroke.h"
 
 namespace whorl {
 namespace {

@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/experiments/experiment.h"
 #include "core/scene/parameters.h"
+#include "core/sources/smoke_stroke.h"
 #include "tests/support/eventually.h"
 
 namespace whorl {

@@ -9,6 +9,8 @@
 #include "core/io/run_file.h"
 #include "core/scene/digest.h"
 #include "core/scene/parameters.h"
+#include "core/sources/obstacle_stroke.h"
+#include "core/sources/smoke_stroke.h"
 
 namespace whorl {
 namespace {

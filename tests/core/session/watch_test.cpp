@@ -9,6 +9,7 @@
 #include "core/inspect/text.h"
 #include "core/scene/parameters.h"
 #include "core/session/player.h"
+#include "core/sources/obstacle_stroke.h"
 #include "tests/support/eventually.h"
 
 namespace whorl {

@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/scene/parameters.h"
 #include "core/session/lane.h"
+#include "core/sources/smoke_stroke.h"
 
 namespace whorl {
 namespace {

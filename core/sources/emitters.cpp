@@ -1,4 +1,4 @@
-#include "core/forces/emitters.h"
+#include "core/sources/emitters.h"
 
 #include <algorithm>
 #include <cmath>
