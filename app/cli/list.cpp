@@ -1,12 +1,14 @@
 // `whorl list`: what there is to choose from, from the scheme lists and the parameter table.
 #include <algorithm>
 #include <cstdio>
+#include <functional>
 #include <vector>
 
 #include "app/cli/verbs.h"
 #include "app/render/colour_map.h"
 #include "app/scenes/comparisons.h"
 #include "app/scenes/presets.h"
+#include "app/views/views.h"
 #include "core/base/error.h"
 #include "core/base/suggest.h"
 #include "core/experiments/experiment.h"
@@ -50,9 +52,14 @@ std::vector<Row> scheme_rows(std::span<const SchemeInfo> infos) {
     return rows;
 }
 
-/// The choices of a parameter, under the parameter's key in the plural.
-std::vector<Row> choice_rows(std::string_view key) {
-    return scheme_rows(parameter(key).choices);
+/// Whether it sets the schemes of the velocity or of the scalars alone.
+bool of_one_set(const Parameter& p) {
+    return p.key.starts_with("velocity.") || p.key.starts_with("scalars.");
+}
+
+/// The list of a parameter's choices.
+std::string plural(const std::string& key) {
+    return key.ends_with('s') ? key : key + "s";
 }
 
 std::vector<Row> preset_rows() {
@@ -78,6 +85,25 @@ std::vector<Row> experiment_rows() {
         if (e.listed)
             rows.push_back({std::string(e.info.key), std::string(e.info.help), std::string(e.info.source)});
     }
+    return rows;
+}
+
+std::vector<Row> field_rows() {
+    std::vector<Row> rows{{"key", "unit", "meaning", "moves by the schemes of"}};
+    for (const FieldInfo& f : fields()) {
+        const char* const by = f.advected_by == AdvectedBy::Velocity  ? "the velocity"
+                               : f.advected_by == AdvectedBy::Scalars ? "the scalars"
+                                                                      : "–";
+        rows.push_back({std::string(f.key), f.unit.empty() ? "–" : std::string(f.unit),
+                        std::string(f.title), by});
+    }
+    return rows;
+}
+
+std::vector<Row> view_rows() {
+    std::vector<Row> rows;
+    for (const View* view : views())
+        rows.push_back({std::string(view->key), std::string(view->label), std::string(view->help)});
     return rows;
 }
 
@@ -108,12 +134,12 @@ std::vector<Row> edit_rows() {
 std::vector<Row> parameter_rows() {
     std::vector<Row> rows{{"key", "default", "range", "unit", "meaning"}};
     for (const Parameter& p : parameters()) {
-        if (p.key.starts_with("velocity.") || p.key.starts_with("scalars.")) continue;
+        if (of_one_set(p)) continue;
         std::string range;
         if (p.kind == Parameter::Kind::Choice) {
             for (const SchemeInfo& choice : p.choices)
                 range += (range.empty() ? "" : " ") + std::string(choice.key);
-            if (range.size() > 44) range = "see whorl list " + p.key + "s";
+            if (range.size() > 44) range = "see whorl list " + plural(p.key);
         } else {
             range = p.kind == Parameter::Kind::Truth ? "true false" : p.text(p.min) + " … " + p.text(p.max);
         }
@@ -123,37 +149,33 @@ std::vector<Row> parameter_rows() {
 }
 
 struct Listing {
-    std::string_view name;
-    std::vector<Row> (*rows)();
+    std::string name;
+    std::function<std::vector<Row>()> rows;
 };
 
-constexpr Listing listings[] = {
-    {"presets", preset_rows},
-    {"comparisons", comparison_rows},
-    {"experiments", experiment_rows},
-    {"advectors", [] { return choice_rows("advector"); }},
-    {"bases", [] { return choice_rows("base"); }},
-    {"interpolations", [] { return choice_rows("interpolation"); }},
-    {"axis-orders", [] { return choice_rows("axis-order"); }},
-    {"tracers", [] { return choice_rows("tracer"); }},
-    {"limiters", [] { return choice_rows("limiter"); }},
-    {"stencils", [] { return choice_rows("stencil"); }},
-    {"weights", [] { return choice_rows("weights"); }},
-    {"orders", [] { return choice_rows("order"); }},
-    {"sides", [] { return choice_rows("sides"); }},
-    {"pressures", [] { return choice_rows("pressure"); }},
-    {"maps", map_rows},
-    {"measures", measure_rows},
-    {"edits", edit_rows},
-    {"parameters", parameter_rows},
-};
+std::vector<Listing> listings() {
+    std::vector<Listing> all{
+        {"presets", preset_rows}, {"comparisons", comparison_rows}, {"experiments", experiment_rows}};
+    for (const Parameter& p : parameters()) {
+        if (p.kind == Parameter::Kind::Choice && !of_one_set(p))
+            all.push_back({plural(p.key), [&p] { return scheme_rows(p.choices); }});
+    }
+    all.insert(all.end(), {{"fields", field_rows},
+                           {"views", view_rows},
+                           {"maps", map_rows},
+                           {"measures", measure_rows},
+                           {"edits", edit_rows},
+                           {"parameters", parameter_rows}});
+    return all;
+}
 
 }  // namespace
 
 int run_list(const ListArguments& arguments) {
+    const std::vector<Listing> all = listings();
     if (!arguments.what.empty()) {
         std::vector<std::string_view> names;
-        for (const Listing& listing : listings) {
+        for (const Listing& listing : all) {
             if (listing.name == arguments.what) {
                 print(listing.rows());
                 return 0;
@@ -163,8 +185,8 @@ int run_list(const ListArguments& arguments) {
         throw InputError("nothing is called \"" + arguments.what + "\"; " +
                          suggestion(arguments.what, names));
     }
-    for (const Listing& listing : listings) {
-        std::printf("%s%s\n", &listing == listings ? "" : "\n", std::string(listing.name).c_str());
+    for (const Listing& listing : all) {
+        std::printf("%s%s\n", &listing == all.data() ? "" : "\n", listing.name.c_str());
         print(listing.rows());
     }
     std::puts("\nA scheme's key also takes the prefix velocity. or scalars. to set one of the two alone.");

@@ -83,8 +83,8 @@ void say_summary(const std::string& scene, const Session& session) {
     const std::vector<std::string> names = titles(session.setup());
     for (std::size_t k = 0; k < session.lane_count(); ++k) {
         const Measures& m = session.measures(k);
-        const std::string smoke = std::isfinite(m.density_percent)
-                                      ? "density " + figure(m.density_percent) + " % of what was put in"
+        const std::string smoke = std::isfinite(m.density_percent())
+                                      ? "density " + figure(m.density_percent()) + " % of what was put in"
                                       : "no smoke";
         const std::string name = session.lane_count() > 1 ? names[k] : scene;
         std::printf("%s: step %ld, t = %g, %s, kinetic energy %.4g, enstrophy %.4g\n", name.c_str(),

@@ -105,7 +105,7 @@ void EventLog::frame(const FrameLog& frames, double steps_per_second, bool playi
                  playing ? "true" : "false", session.run, session.step,
                  quoted(scene.scalars.advector.key()).c_str(), quoted(scene.velocity.advector.key()).c_str(),
                  quoted(scene.scalars.interpolation.key()).c_str(), scene.scalars.zeta, s.grid().nx,
-                 number(s.measures.density_percent).c_str(), number(total_density(s)).c_str(),
+                 number(s.measures.density_percent()).c_str(), number(total_density(s)).c_str(),
                  std::count(s.solids().begin(), s.solids().end(), 1), number(scene.brush.radius).c_str(),
                  session.lanes.size(), densities(session).c_str());
     std::fflush(file_);

@@ -54,25 +54,27 @@ View view_of(const DerivedField& derived) {
 }
 
 /// What only a snapshot knows.
-const View of_snapshots[] = {
-    {{"Exact solution", "ρ", "What the density would be without any error.", "magma", Middle::None, 70},
-     "exact",
-     [](const Snapshot& s, Field&) { return s.has_exact ? &s.exact : nullptr; }},
-    {{"Difference", "ρ", "Numerical less exact density.", "blue-dark-red", Middle::Zero, 80},
-     "difference",
-     difference},
-    {{"Limited smoke", "", "Cells whose smoke a limiter changed in the last step.", "magma", Middle::None,
-      90},
-     "limited-smoke",
-     limited_smoke,
-     true},
-    {{"Limited velocity", "share of faces",
-      "How many of a cell's faces had their velocity changed by a limiter in the last step.", "magma",
-      Middle::None, 100},
-     "limited-velocity",
-     limited_velocity,
-     true},
-};
+std::vector<View> views_of_snapshots() {
+    return {
+        {{"Exact solution", "ρ", "What the density would be without any error.", "magma", Middle::None, 70},
+         "exact",
+         [](const Snapshot& s, Field&) { return s.has_exact ? &s.exact : nullptr; }},
+        {{"Difference", "ρ", "Numerical less exact density.", "blue-dark-red", Middle::Zero, 80},
+         "difference",
+         difference},
+        {{"Limited smoke", "", "Cells whose smoke a limiter changed in the last step.", "magma", Middle::None,
+          90},
+         "limited-smoke",
+         limited_smoke,
+         true},
+        {{"Limited velocity", "share of faces",
+          "How many of a cell's faces had their velocity changed by a limiter in the last step.", "magma",
+          Middle::None, 100},
+         "limited-velocity",
+         limited_velocity,
+         true},
+    };
+}
 
 /// All views; those that tables make are kept here.
 struct ViewList {
@@ -84,7 +86,7 @@ struct ViewList {
             if (fields()[k].display) made.push_back(view_of(FieldId(k)));
         }
         for (const DerivedField* derived : derived_fields().all()) made.push_back(view_of(*derived));
-        made.insert(made.end(), std::begin(of_snapshots), std::end(of_snapshots));
+        for (View& view : views_of_snapshots()) made.push_back(std::move(view));
         std::stable_sort(made.begin(), made.end(),
                          [](const View& a, const View& b) { return a.rank < b.rank; });
         for (const View& view : made) all.add(view);

@@ -19,6 +19,7 @@ struct AdvectorTraits {
     bool base_step = false;                 ///< is made of steps of a base scheme: a predictor-corrector
     Expansion expansion = Expansion::None;  ///< of its own particles
     bool limited = false;                   ///< heeds the limiter
+    bool memory = false;                    ///< remembers more than the fields from step to step
     std::string_view clamp_source{};        ///< where its clamp is described, if not where the limiter is
 };
 

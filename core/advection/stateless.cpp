@@ -4,13 +4,14 @@
 
 namespace whorl {
 
-void Stateless::prepare(const TransportSetup& setup) {
+bool Stateless::prepare(const TransportSetup& setup) {
     setup_ = setup;
     const SchemeSet& schemes = setup_.schemes;
     stencil_.emplace(schemes.stencil, schemes.zeta, schemes.weights, setup_.dimensions, setup_.seed);
     static_assert(Lattice::max_per_cell >= 2 * SchemeSet::max_zeta);
     const bool shares = schemes.affine() && setup_.shares_particles;
     lattice_ = shares ? Lattice::of(stencil_->particles()) : std::nullopt;
+    return true;
 }
 
 void Stateless::advect(std::span<const AdvectedField> fields, const AdvectionStep& step) {

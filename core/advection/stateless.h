@@ -21,7 +21,7 @@ class Stateless final : public Transport {
   public:
     explicit Stateless(AdvectFn function) : advect_(function) {}
 
-    void prepare(const TransportSetup& setup) override;
+    bool prepare(const TransportSetup& setup) override;
     void advect(std::span<const AdvectedField> fields, const AdvectionStep& step) override;
     const Workspace* workspace() const override { return work_.data(); }
 

@@ -11,6 +11,9 @@ namespace whorl {
 /// The cells from (begin_i, begin_j) up to and without (end_i, end_j).
 struct CellRange {
     int begin_i = 0, begin_j = 0, end_i = 0, end_j = 0;
+
+    bool contains(int i, int j) const { return i >= begin_i && i < end_i && j >= begin_j && j < end_j; }
+    bool empty() const { return begin_i >= end_i || begin_j >= end_j; }
     bool operator==(const CellRange&) const = default;
 };
 

@@ -29,12 +29,32 @@ std::vector<Measure> smoke() {
          .unit = "%",
          .help = "Total smoke: what is left of what was put in",
          .source = "thesis eq. 5.5",
-         .value = of(&Measures::density_percent),
+         .value = [](const Measures& m, const Sums&) { return m.density_percent(); },
          .best = Best::NearestHundred,
          .plot = {.label = "of what was put in", .scale = Scale::Percent},
          .column = {"Smoke", "total, %"},
          .headline = {"Σρ", 4, " %"}},
     };
+}
+
+/// The totals of further scalars that are counted.
+std::vector<Measure> further_totals() {
+    std::vector<Measure> all;
+    for (std::size_t k = 2; k < scalar_count(); ++k) {
+        const FieldInfo& info = scalar(k).info();
+        if (!info.counted) continue;
+        const std::string title(info.title);
+        all.push_back({.key = std::string(info.key) + "_percent",
+                       .title = "Total of " + title,
+                       .unit = "%",
+                       .help = title + ": what is left of what was put in",
+                       .source = "thesis eq. 5.5",
+                       .value = [k](const Measures& m, const Sums&) { return m.percent_of(k); },
+                       .best = Best::NearestHundred,
+                       .plot = {.label = "of what was put in", .scale = Scale::Percent},
+                       .column = {title, "total, %"}});
+    }
+    return all;
 }
 
 std::vector<Measure> flow() {
@@ -299,7 +319,7 @@ std::vector<Measure> solver() {
 Registry<Measure> made() {
     static const std::vector<Measure> groups[] = {
         smoke(), flow(),  extrema_and_limiters(), errors(), dissipation_and_projection(), budgets(),
-        times(), solver()};
+        times(), solver(), further_totals()};
     Registry<Measure> registry("measure", {});
     for (const std::vector<Measure>& group : groups) {
         for (const Measure& measure : group) registry.add(measure);

@@ -104,14 +104,18 @@ void Meter::measure(const State& state, const FlowSums& flow, double dt, Pool& p
         sum.max = std::max(sum.max, row.max);
         sum.speed = std::max(sum.speed, row.speed);
     }
-    finite_ = std::isfinite(sum.density) && std::isfinite(sum.heat) && std::isfinite(flow.kinetic_energy) &&
-              std::isfinite(flow.enstrophy);
-    for (std::size_t k = 2; k < state.scalars.size(); ++k)
-        finite_ = finite_ && std::isfinite(total(state.scalars[k], boundary));
+    finite_ = std::isfinite(flow.kinetic_energy) && std::isfinite(flow.enstrophy);
+    out.percent.resize(state.scalars.size());
+    for (std::size_t k = 0; k < state.scalars.size(); ++k) {
+        const double in_all = k == 0   ? sum.density * grid.cell()
+                              : k == 1 ? sum.heat * grid.cell()
+                                       : total(state.scalars[k], boundary);
+        finite_ = finite_ && std::isfinite(in_all);
+        out.percent[k] = state.injected[k] > 0 ? 100 * in_all / state.injected[k]
+                                               : std::numeric_limits<double>::quiet_NaN();
+    }
     out.step = state.step;
     out.time = state.time;
-    out.density_percent = state.injected[0] > 0 ? 100 * sum.density * grid.cell() / state.injected[0]
-                                                : std::numeric_limits<double>::quiet_NaN();
     out.kinetic_energy = flow.kinetic_energy;
     out.enstrophy = flow.enstrophy;
     out.min_density = boundary.fluid_cells() > 0 ? sum.min : 0;

@@ -36,7 +36,8 @@ struct PhaseShare {
 struct Measures {
     long step = 0;
     double time = 0;
-    double density_percent = 0;  ///< 100 ∫ρ over what was put in; NaN if nothing was  [T 5.5]
+    /// Of each scalar that is counted, 100 ∫q over what was put in; NaN if nothing was.  [T 5.5]
+    std::vector<double> percent;
     double kinetic_energy = 0;   ///< ½ ∫|u|², from face velocities
     double enstrophy = 0;        ///< ½ ∫ω²
     /// Of the last step's advection, length²/time; NaN before the first step, in still air, where the flow is
@@ -57,6 +58,11 @@ struct Measures {
     /// The phases of the last step by their keys, in order; at the start they have done nothing.
     std::vector<std::pair<std::string_view, PhaseShare>> phases;
 
+    double density_percent() const { return percent_of(0); }
+    /// @param k  of a scalar; NaN if it is not counted
+    double percent_of(std::size_t k) const {
+        return k < percent.size() ? percent[k] : std::numeric_limits<double>::quiet_NaN();
+    }
     /// What a phase did in the last step; all NaN where it had none of that key.
     PhaseShare phase(std::string_view key) const;
     /// Adds what a part of a phase did.

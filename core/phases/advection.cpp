@@ -22,7 +22,11 @@ void run(const StepContext& c) {
     const AdvectionStep step{&state.velocity, &state.boundary, &c.pool, c.dt};
     c.solvers.scalars.advect(together ? all : all.first(scalars), step);
     if (c.solved()) {
-        if (!together) c.solvers.velocity.advect(all.last(2), step);
+        if (together) {
+            c.solvers.velocity.forget();
+        } else {
+            c.solvers.velocity.advect(all.last(2), step);
+        }
         std::swap(state.velocity, next.velocity);
         state.boundary.enforce(state.velocity);
     }

@@ -9,6 +9,9 @@ namespace {
 void run(const StepContext& c) {
     State& state = c.state;
     apply_emitters(state, c.scene.emitters, c.dt);
+    for (const Emitter& emitter : c.scene.emitters) {
+        if (is_open(emitter, state.time, c.dt)) c.solvers.edited(cells_of(emitter, state.grid()));
+    }
     add_buoyancy(state, c.scene.alpha, c.scene.beta, c.scene.ambient, c.dt, c.pool);
     state.boundary.enforce(state.velocity);
     c.solvers.confinement.add(state, c.scene.confinement, c.dt, c.pool);

@@ -13,6 +13,15 @@
 
 namespace whorl {
 
+/// What the transports of both scheme sets remember.
+struct AdvectionMemory {
+    TransportMemory velocity, scalars;
+
+    bool empty() const { return velocity.fields == 0 && scalars.fields == 0; }
+    std::size_t bytes() const { return velocity.bytes.size() + scalars.bytes.size(); }
+    bool operator==(const AdvectionMemory&) const = default;
+};
+
 /// What phases keep from step to step.
 struct Solvers {
     Projection projection;
@@ -23,6 +32,22 @@ struct Solvers {
     Fields next;
     /// Of the last advection; nothing where its fields or walls have changed since.
     std::optional<AdvectionSetup> advected;
+
+    /// Brush, emitters or walls changed the fields in these cells: tells transports that remember.
+    void edited(const CellRange& cells) {
+        velocity.edited(cells);
+        scalars.edited(cells);
+    }
+    /// Fields are others now: transports that remember begin anew.
+    void forget() {
+        velocity.forget();
+        scalars.forget();
+    }
+    AdvectionMemory memory() const { return {velocity.memory(), scalars.memory()}; }
+    void restore(const AdvectionMemory& memory) {
+        velocity.restore(memory.velocity);
+        scalars.restore(memory.scalars);
+    }
 };
 
 /// All that a phase works on.

@@ -5,10 +5,11 @@
 
 namespace whorl {
 
-void Digest::add(const State& state) {
+void Digest::add(const State& state, std::uint64_t memory) {
     for_each_field(state, [this](FieldId, const Field& field) { add(field); });
     add(state.boundary.solids());
     add(state.step, state.time);
+    if (memory != 0) word(memory);
 }
 
 void Digest::add(std::span<const std::uint8_t> solids) {

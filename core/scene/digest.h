@@ -11,7 +11,8 @@ namespace whorl {
 /// FNV-1a over 32-bit words of the fields, the solid cells, the step and the time.
 class Digest {
   public:
-    void add(const State& state);
+    /// @param memory  a number made from what is remembered beside the state, or 0
+    void add(const State& state, std::uint64_t memory);
     void add(const Field& field);
     void add(std::span<const std::uint8_t> solids);
     void add(long step, double time);

@@ -9,6 +9,7 @@ std::size_t Moment::bytes() const {
         const State& s = lane.checkpoint.state;
         for_each_field(s, [&](FieldId, const Field& field) { sum += sizeof(Real) * field.memory().size(); });
         sum += sizeof(double) * lane.checkpoint.projection.pressure.size();
+        sum += lane.checkpoint.advection.bytes();
         sum += sizeof(Lane::Moment) + s.boundary.bytes();
     }
     return sum;

@@ -272,7 +272,10 @@ bool Session::sound() const {
 
 std::uint64_t Session::digest() const {
     Digest digest;
-    for (const Place& place : lanes_) digest.add(place.lane->simulation().state());
+    for (const Place& place : lanes_) {
+        const Simulation& simulation = place.lane->simulation();
+        digest.add(simulation.state(), simulation.memory_digest());
+    }
     return digest.value();
 }
 

@@ -29,6 +29,7 @@ void take_snapshot(const Lane& lane, Pool& pool, Snapshot& out, const std::optio
     out.failure = lane.failure();
     out.measures = simulation.measures();
     out.state = state;
+    out.memory = simulation.memory_digest();
     if (!out.exact.same_shape(state.density())) out.exact = state.boundary.field(Site::Centre);
     out.has_exact = simulation.exact(out.exact);
     out.explanation.reset();
@@ -70,7 +71,7 @@ void take_snapshot(const Session& session, const SessionSnapshot& last, Pool& po
 
 std::uint64_t SessionSnapshot::digest() const {
     Digest digest;
-    for (const Snapshot& lane : lanes) digest.add(lane.state);
+    for (const Snapshot& lane : lanes) digest.add(lane.state, lane.memory);
     return digest.value();
 }
 

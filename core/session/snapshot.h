@@ -15,8 +15,9 @@ namespace whorl {
 /// One lane.
 struct Snapshot {
     Scene scene;
-    State state;  ///< ghosts filled
-    Field exact;  ///< the exact density, where has_exact
+    State state;               ///< ghosts filled
+    std::uint64_t memory = 0;  ///< see Simulation::memory_digest
+    Field exact;               ///< the exact density, where has_exact
     bool has_exact = false;
     Measures measures;
     // Where that is watched, and known of the last step:

@@ -26,6 +26,7 @@ Simulation::Simulation(Scene scene, Pool& pool) : scene_(std::move(scene)), pool
 
 void Simulation::restart() {
     solvers_.advected.reset();
+    solvers_.forget();
     experiment_ = &experiment(scene_.experiment);
     state_ = make_state(scene_);
     if (experiment_->start) experiment_->start(state_);
@@ -47,6 +48,7 @@ void Simulation::set_scene(const Scene& scene) {
         state_.boundary.periodic() != (scene.sides == Sides::of<Periodic>())) {
         const FlowSums before = meter_.flow(state_.velocity, state_.boundary, *pool_);
         solvers_.advected.reset();
+        solvers_.forget();
         state_ = resample(state_, scene);
         solvers_.projection.restore({}, state_.boundary, *pool_);
         resampled_ += meter_.flow(state_.velocity, state_.boundary, *pool_) - before;
@@ -64,7 +66,7 @@ void Simulation::set_scene(const Scene& scene) {
 void Simulation::apply(const Edit& edit) {
     // A given flow is the very one that moved the density.
     if (edit.verb->changes_walls || experiment_->flow) solvers_.advected.reset();
-    whorl::apply(edit, state_, scene_);
+    solvers_.edited(whorl::apply(edit, state_, scene_));
 }
 
 void Simulation::set(const Scene& scene) {
@@ -79,6 +81,11 @@ void Simulation::restore(const Checkpoint& checkpoint) {
     measures_ = checkpoint.measures;
     resampled_ = checkpoint.resampled;
     solvers_.projection.restore(checkpoint.projection, state_.boundary, *pool_);
+    solvers_.restore(checkpoint.advection);
+}
+
+std::uint64_t Simulation::memory_digest() const {
+    return solvers_.velocity.memory_digest() * 31 + solvers_.scalars.memory_digest();
 }
 
 void Simulation::step() {

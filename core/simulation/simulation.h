@@ -16,6 +16,7 @@ struct Checkpoint {
     Measures measures;
     FlowSums resampled;
     Projection::Memory projection;
+    AdvectionMemory advection;
 };
 
 class Simulation {
@@ -37,9 +38,12 @@ class Simulation {
     void restart();
 
     Checkpoint checkpoint() const {
-        return {scene_, state_, measures_, resampled_, solvers_.projection.memory(state_.boundary)};
+        return {scene_,           state_, measures_, resampled_, solvers_.projection.memory(state_.boundary),
+                solvers_.memory()};
     }
     void restore(const Checkpoint& checkpoint);
+    /// Made from every bit that transports remember beside the state; 0 where they remember nothing.
+    std::uint64_t memory_digest() const;
 
     const Scene& scene() const { return scene_; }
     const State& state() const { return state_; }

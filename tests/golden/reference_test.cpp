@@ -82,7 +82,7 @@ TEST_P(Reference, HoldsAtEveryStep) {
         expect_near("L1", m.errors.L1, row.L1, row.step);
         expect_near("L2", m.errors.L2, row.L2, row.step);
         expect_near("Linf", m.errors.Linf, row.Linf, row.step);
-        EXPECT_NEAR(m.density_percent, row.density, density_points) << "at step " << row.step;
+        EXPECT_NEAR(m.density_percent(), row.density, density_points) << "at step " << row.step;
     }
 }
 

@@ -32,7 +32,7 @@ void go(Session& session, int steps) {
 
 std::uint64_t digest_of(const Session& session, std::size_t k) {
     Digest digest;
-    digest.add(session.lane(k).simulation().state());
+    digest.add(session.lane(k).simulation().state(), 0);
     return digest.value();
 }
 
@@ -68,7 +68,7 @@ TEST(Session, ALaneIsTheSimulationOfItsScene) {
     go(session, 12);
     while (alone.state().step < session.lane(1).simulation().state().step) alone.step();
     Digest digest;
-    digest.add(alone.state());
+    digest.add(alone.state(), 0);
     EXPECT_EQ(digest_of(session, 1), digest.value());
     EXPECT_EQ(session.lane(1).simulation().state().step, 20) << "12 steps of 1/60 are 20 of 0.01";
 }

@@ -61,13 +61,13 @@ TEST(Simulation, ResolutionResamplesTheRunningFields) {
     Simulation simulation(plume(), pool);
     for (int step = 0; step < 200; ++step) simulation.step();
     const double before = total(simulation.state().density(), simulation.state().boundary);
-    const double percent = simulation.measures().density_percent;
+    const double percent = simulation.measures().density_percent();
     simulation.set(plume({"resolution=80"}));
     EXPECT_EQ(simulation.state().grid().nx, 80);
     EXPECT_NEAR(total(simulation.state().density(), simulation.state().boundary) / before, 1, 0.02);
     simulation.step();
     EXPECT_EQ(simulation.state().step, 201);
-    EXPECT_NEAR(simulation.measures().density_percent, percent, 1) << "resampling is not the scheme's doing";
+    EXPECT_NEAR(simulation.measures().density_percent(), percent, 1) << "resampling is not the scheme's doing";
 }
 
 TEST(Simulation, RefusesAChoiceAndStaysAsItWas) {
@@ -104,10 +104,10 @@ TEST(Simulation, DensityPercentCountsWhatEmittersPutIn) {
     Pool pool(1);
     Simulation simulation(plume(), pool);
     simulation.step();
-    EXPECT_NEAR(simulation.measures().density_percent, 100, 1);
+    EXPECT_NEAR(simulation.measures().density_percent(), 100, 1);
     Simulation empty(scene_of(experiment("empty")), pool);
     empty.step();
-    EXPECT_TRUE(std::isnan(empty.measures().density_percent)) << "nothing was put in";
+    EXPECT_TRUE(std::isnan(empty.measures().density_percent())) << "nothing was put in";
 }
 
 TEST(Simulation, WalledInFluidStaysFinite) {
