@@ -94,8 +94,8 @@ std::vector<Row> field_rows() {
         const char* const by = f.advected_by == AdvectedBy::Velocity  ? "the velocity"
                                : f.advected_by == AdvectedBy::Scalars ? "the scalars"
                                                                       : "–";
-        rows.push_back({std::string(f.key), f.unit.empty() ? "–" : std::string(f.unit),
-                        std::string(f.title), by});
+        rows.push_back(
+            {std::string(f.key), f.unit.empty() ? "–" : std::string(f.unit), std::string(f.title), by});
     }
     return rows;
 }

@@ -57,8 +57,8 @@ class Transport {
 
     // Memory beside the fields: for advectors with the trait `memory`.
 
-    /// Fills the memory from fields, before a step: at the start, after a switch, on another grid. What forces
-    /// and projection do between steps a memory sees as the difference from what it wrote itself.
+    /// Fills the memory from fields, before a step: at the start, after a switch, on another grid. What
+    /// forces and projection do between steps a memory sees as the difference from what it wrote itself.
     virtual void seed(std::span<const AdvectedField>, const AdvectionStep&) {}
     /// Brush, emitters or walls changed what fields hold in these cells and on their faces. Values there are
     /// those of the fields from now on.

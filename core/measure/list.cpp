@@ -318,7 +318,7 @@ std::vector<Measure> solver() {
 
 Registry<Measure> made() {
     static const std::vector<Measure> groups[] = {
-        smoke(), flow(),  extrema_and_limiters(), errors(), dissipation_and_projection(), budgets(),
+        smoke(), flow(),   extrema_and_limiters(), errors(), dissipation_and_projection(), budgets(),
         times(), solver(), further_totals()};
     Registry<Measure> registry("measure", {});
     for (const std::vector<Measure>& group : groups) {

@@ -38,8 +38,8 @@ struct Measures {
     double time = 0;
     /// Of each scalar that is counted, 100 ∫q over what was put in; NaN if nothing was.  [T 5.5]
     std::vector<double> percent;
-    double kinetic_energy = 0;   ///< ½ ∫|u|², from face velocities
-    double enstrophy = 0;        ///< ½ ∫ω²
+    double kinetic_energy = 0;  ///< ½ ∫|u|², from face velocities
+    double enstrophy = 0;       ///< ½ ∫ω²
     /// Of the last step's advection, length²/time; NaN before the first step, in still air, where the flow is
     /// given.
     double effective_viscosity = std::numeric_limits<double>::quiet_NaN();

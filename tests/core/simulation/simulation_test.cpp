@@ -67,7 +67,8 @@ TEST(Simulation, ResolutionResamplesTheRunningFields) {
     EXPECT_NEAR(total(simulation.state().density(), simulation.state().boundary) / before, 1, 0.02);
     simulation.step();
     EXPECT_EQ(simulation.state().step, 201);
-    EXPECT_NEAR(simulation.measures().density_percent(), percent, 1) << "resampling is not the scheme's doing";
+    EXPECT_NEAR(simulation.measures().density_percent(), percent, 1)
+        << "resampling is not the scheme's doing";
 }
 
 TEST(Simulation, RefusesAChoiceAndStaysAsItWas) {
