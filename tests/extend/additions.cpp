@@ -7,6 +7,7 @@
 #include "app/views/views.h"
 #include "app/window/lists.h"
 #include "core/measure/measure.h"
+#include "core/sources/smoke_stroke.h"
 #include "tests/extend/toys.h"
 
 namespace whorl::test {

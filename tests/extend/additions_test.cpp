@@ -12,6 +12,7 @@
 #include "core/io/png.h"
 #include "core/io/run_file.h"
 #include "core/measure/measure.h"
+#include "core/sources/smoke_stroke.h"
 #include "tests/support/cut_text.h"
 #include "tests/support/headless_ui.h"
 #include "tests/support/lanes_window.h"

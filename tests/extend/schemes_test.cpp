@@ -8,6 +8,8 @@
 #include "core/scene/parameters.h"
 #include "core/session/session.h"
 #include "core/session/snapshot.h"
+#include "core/sources/obstacle_stroke.h"
+#include "core/sources/smoke_stroke.h"
 #include "tests/extend/additions.h"
 #include "tests/extend/toys.h"
 
