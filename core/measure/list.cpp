@@ -2,6 +2,7 @@
 #include <limits>
 
 #include "core/measure/measure.h"
+#include "core/scene/phase.h"
 
 namespace whorl {
 namespace {
@@ -218,17 +219,10 @@ std::vector<Measure> dissipation_and_projection() {
     };
 }
 
-/// A phase of a step, with the colours of its curves.
-struct PhaseCurve {
-    std::string_view phase;
-    int in_budget, in_times;
-};
-constexpr PhaseCurve phases[] = {{"forces", 2, 3}, {"projection", 1, 1}, {"advection", 0, 2}};
-
 /// What a phase added to energy or enstrophy in the last step.
-Measure budget(const PhaseCurve& of_phase, const char* quantity, const char* shared, const char* unit,
+Measure budget(const Phase& of_phase, const char* quantity, const char* shared, const char* unit,
                double PhaseShare::*share) {
-    const std::string phase(of_phase.phase);
+    const std::string phase(of_phase.key);
     std::string lower = quantity;
     lower.front() = static_cast<char>(lower.front() + ('a' - 'A'));
     return {.key = lower + "_by_" + phase,
@@ -241,18 +235,23 @@ Measure budget(const PhaseCurve& of_phase, const char* quantity, const char* sha
             .plot = {.page = Page::BudgetShares,
                      .chart = quantity,
                      .label = phase,
-                     .colour = of_phase.in_budget,
+                     .colour = of_phase.curves->in_budget,
                      .shared = shared},
             .column = no_column};
 }
 
 std::vector<Measure> budgets() {
     std::vector<Measure> all;
-    for (const PhaseCurve& phase : phases)
-        all.push_back(
-            budget(phase, "Energy", "kinetic energy, ½∫|u|²", "length⁴/time²", &PhaseShare::energy));
-    for (const PhaseCurve& phase : phases)
-        all.push_back(budget(phase, "Enstrophy", "enstrophy, ½∫ω²", "length²/time²", &PhaseShare::enstrophy));
+    for (const Phase* phase : phases().all()) {
+        if (phase->curves)
+            all.push_back(
+                budget(*phase, "Energy", "kinetic energy, ½∫|u|²", "length⁴/time²", &PhaseShare::energy));
+    }
+    for (const Phase* phase : phases().all()) {
+        if (phase->curves)
+            all.push_back(
+                budget(*phase, "Enstrophy", "enstrophy, ½∫ω²", "length²/time²", &PhaseShare::enstrophy));
+    }
     return all;
 }
 
@@ -274,9 +273,11 @@ Measure time(std::string key, const std::string& row, int colour, std::string he
 
 std::vector<Measure> times() {
     std::vector<Measure> all;
-    for (const PhaseCurve& of_phase : phases) {
-        const std::string phase(of_phase.phase);
-        all.push_back(time(phase + "_ms", phase, of_phase.in_times, "Milliseconds that " + phase + " took",
+    for (const Phase* of_phase : phases().all()) {
+        if (!of_phase->curves) continue;
+        const std::string phase(of_phase->key);
+        all.push_back(time(phase + "_ms", phase, of_phase->curves->in_times,
+                           "Milliseconds that " + phase + " took",
                            [phase](const Measures& m, const Sums&) { return m.phase(phase).ms; }));
     }
     all.push_back(time("step_ms", "total", 0, "Milliseconds that a step took", of(&Measures::step_ms)));

@@ -1,5 +1,5 @@
 // The advection of velocity and scalars as a phase.
-#include "core/phases/phase.h"
+#include "core/phases/step_context.h"
 
 namespace whorl {
 namespace {
@@ -36,6 +36,10 @@ void run(const StepContext& c) {
 
 }  // namespace
 
-extern const Phase advection_phase{"advection", "Advection", run, true};
+extern const Phase advection_phase{.key = "advection",
+                                   .title = "Advection",
+                                   .run = run,
+                                   .dissipates = true,
+                                   .curves = PhaseCurves{.in_budget = 0, .in_times = 2}};
 
 }  // namespace whorl

@@ -1,6 +1,6 @@
 // Emitters, buoyancy and vorticity confinement.  [T alg 2.1; F 4, 11–13]
 #include "core/forces/buoyancy.h"
-#include "core/phases/phase.h"
+#include "core/phases/step_context.h"
 #include "core/sources/emitters.h"
 
 namespace whorl {
@@ -20,6 +20,7 @@ void run(const StepContext& c) {
 
 }  // namespace
 
-extern const Phase forces_phase{"forces", "Forces", run};
+extern const Phase forces_phase{
+    .key = "forces", .title = "Forces", .run = run, .curves = PhaseCurves{.in_budget = 2, .in_times = 3}};
 
 }  // namespace whorl

@@ -1,5 +1,5 @@
 // Every phase, a line each.
-#include "core/phases/phase.h"
+#include "core/scene/phase.h"
 
 namespace whorl {
 

@@ -1,5 +1,5 @@
 // Writes the flow of an experiment that prescribes it.
-#include "core/phases/phase.h"
+#include "core/phases/step_context.h"
 
 namespace whorl {
 namespace {

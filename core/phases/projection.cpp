@@ -1,5 +1,5 @@
 // The projection as a phase, with what it reports.
-#include "core/phases/phase.h"
+#include "core/phases/step_context.h"
 
 namespace whorl {
 namespace {
@@ -20,6 +20,9 @@ void run(const StepContext& c) {
 
 }  // namespace
 
-extern const Phase projection_phase{"projection", "Projection", run};
+extern const Phase projection_phase{.key = "projection",
+                                    .title = "Projection",
+                                    .run = run,
+                                    .curves = PhaseCurves{.in_budget = 1, .in_times = 1}};
 
 }  // namespace whorl

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "core/phases/phase.h"
+#include "core/phases/step_context.h"
 #include "core/scene/step_order.h"
 #include "core/sources/edit.h"
 

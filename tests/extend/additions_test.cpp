@@ -57,12 +57,24 @@ std::string listed(const std::string& what) {
 }
 
 TEST_F(Additions, AreListed) {
-    const std::pair<const char*, const char*> all[] = {
-        {"fields", "dye"},          {"measures", "dye_height"},    {"measures", "dye_percent"},
-        {"views", "dye"},           {"views", "root-density"},     {"interpolations", "smoothstep"},
-        {"tracers", "heun"},        {"limiters", "halfway"},       {"stencils", "far-ring"},
-        {"weights", "cone"},        {"advectors", "running-mean"}, {"advectors", "drifting-particles"},
-        {"parameters", "brush.dye"}};
+    const std::pair<const char*, const char*> all[] = {{"fields", "dye"},
+                                                       {"measures", "dye_height"},
+                                                       {"measures", "dye_percent"},
+                                                       {"views", "dye"},
+                                                       {"views", "root-density"},
+                                                       {"interpolations", "smoothstep"},
+                                                       {"tracers", "heun"},
+                                                       {"limiters", "halfway"},
+                                                       {"stencils", "far-ring"},
+                                                       {"weights", "cone"},
+                                                       {"orders", "rough"},
+                                                       {"edits", "drop"},
+                                                       {"views", "kinetic"},
+                                                       {"measures", "energy_by_friction"},
+                                                       {"measures", "friction_ms"},
+                                                       {"advectors", "running-mean"},
+                                                       {"advectors", "drifting-particles"},
+                                                       {"parameters", "brush.dye"}};
     for (const auto& [what, key] : all)
         EXPECT_NE(listed(what).find("  " + std::string(key) + " "), std::string::npos) << what << ": " << key;
     EXPECT_NE(listed("").find("running-mean"), std::string::npos);
@@ -78,7 +90,7 @@ TEST_F(Additions, AreInTheMenusOfTheWindow) {
     }
     const std::string keys = text("keys");
     for (const char* key : {"view=dye", "view=root-density", "brush.dye", "plot=Height of the dye",
-                            "plot=Total of Dye", "inspector-quantity=dye"})
+                            "plot=Total of Dye", "inspector-quantity=dye", "view=kinetic", "drop-dye"})
         EXPECT_NE(keys.find('"' + std::string(key) + '"'), std::string::npos) << key;
 }
 
@@ -126,11 +138,14 @@ TEST_F(Additions, AreReplayedAndDigested) {
     run.commands = {{2, stroke(0.5)},
                     {5, SetParameter{"interpolation", "smoothstep"}},
                     {9, SetParameter{"advector", "drifting-particles"}},
+                    {12, Edit{drop, {20, 20, 5}}},
+                    {14, SetParameter{"order", "rough"}},
                     {20, SetParameter{"resolution", "30"}}};
     const std::uint64_t digest = digest_of(run, 1);
     EXPECT_EQ(digest_of(run, 2), digest);
     const std::string file = write_run(run);
     EXPECT_NE(file.find("dye=0.5"), std::string::npos) << file;
+    EXPECT_NE(file.find("12 drop 20 20 5"), std::string::npos) << file;
     const Recording read = parse_run(file, "run.toml");
     EXPECT_EQ(read, run);
     EXPECT_EQ(digest_of(read, 1), digest);
@@ -185,6 +200,23 @@ TEST_F(Additions, AreDrawn) {
     EXPECT_FALSE(dyed == picture("dye", 0));
     EXPECT_TRUE(smoke == picture("density", 0)) << "dye follows the flow and leaves it alone";
     EXPECT_FALSE(picture("root-density", 0.5) == smoke);
+}
+
+/// A phase has its share in the budget, which is the energy that the step took in all.
+TEST_F(Additions, ActInAStepAndAreMeasured) {
+    Scene scene = small_plume().setup.scene;
+    set_parameter(scene, "order=rough");
+    Pool pool(1);
+    Simulation simulation(scene, pool);
+    for (int k = 0; k < 20; ++k) simulation.step();
+    const double before = simulation.measures().kinetic_energy;
+    simulation.step();
+    const Measures& m = simulation.measures();
+    const double taken = measures().find("energy_by_friction").of(m);
+    EXPECT_LT(taken, 0);
+    double sum = 0;
+    for (const auto& [key, did] : m.phases) sum += did.energy;
+    EXPECT_NEAR(m.kinetic_energy - before, sum, 1e-9 * before);
 }
 
 TEST_F(Additions, ActOnInput) {

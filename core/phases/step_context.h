@@ -1,15 +1,15 @@
-// The phases of a step: what each does to a state.
+// What a phase works on, and what phases keep from step to step.
 #pragma once
 
 #include <optional>
 
 #include "core/advection/advection.h"
-#include "core/base/registry.h"
 #include "core/experiments/experiment.h"
 #include "core/forces/confinement.h"
 #include "core/measure/measures.h"
 #include "core/phases/last_advection.h"
 #include "core/pressure/projection.h"
+#include "core/scene/phase.h"
 
 namespace whorl {
 
@@ -63,17 +63,5 @@ struct StepContext {
     /// Whether the solver finds the flow.
     bool solved() const { return experiment.flow == nullptr; }
 };
-
-struct Phase {
-    std::string_view key;
-    std::string_view title;
-    /// Allocates nothing.
-    void (*run)(const StepContext&);
-    /// Whether what it takes from the flow is numerical: it then counts for the effective viscosity.
-    bool dissipates = false;
-};
-
-/// All phases.
-Registry<Phase>& phases();
 
 }  // namespace whorl
