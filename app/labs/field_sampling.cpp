@@ -7,9 +7,9 @@
 
 namespace whorl::app {
 
-void sample_field(const Field& field, const SchemeSet& schemes, bool periodic,
+void sample_field(const Field& field, const SchemeSet& schemes, Wraps wraps,
                   std::span<const glm::dvec2> places, std::span<float> out) {
-    const Kernels kernels = choose_kernels(schemes, periodic);
+    const Kernels kernels = choose_kernels(schemes, wraps);
     Displacements way;
     CellPositions found;
     alignas(64) Values values;

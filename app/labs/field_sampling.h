@@ -13,7 +13,7 @@ namespace whorl::app {
 /// @param schemes  its interpolation, clamping and axis order are used
 /// @param places   in samples from sample (0, 0)
 /// @param out      as many values, unit of the field
-void sample_field(const Field& field, const SchemeSet& schemes, bool periodic,
+void sample_field(const Field& field, const SchemeSet& schemes, Wraps wraps,
                   std::span<const glm::dvec2> places, std::span<float> out);
 
 /// The place of a row's sample, moved off a point to its left: where a curve jumps, the point itself belongs

@@ -26,7 +26,7 @@ InterpolationCurves curves_of(const Field& row, bool clamped, int first, int las
         schemes.interpolation = Id<Interpolation>::at(k);
         schemes.clamped = clamped;
         curves.y.emplace_back(places.size());
-        sample_field(row, schemes, false, places, curves.y[k]);
+        sample_field(row, schemes, Wraps{}, places, curves.y[k]);
     }
     return curves;
 }

@@ -16,6 +16,8 @@ constexpr int samples = 257;
 /// A sample is a weighted sum of four values: roundings of their size, several each.
 constexpr double roundings = 16;
 
+constexpr Sides row_sides = sides::box;
+
 using Curve = std::array<float, samples>;
 
 Curve sampled(const Field& row, Id<Interpolation> interpolation, bool clamped, int i) {
@@ -27,7 +29,7 @@ Curve sampled(const Field& row, Id<Interpolation> interpolation, bool clamped, i
         places[static_cast<std::size_t>(k)] = {i + k / static_cast<double>(samples - 1), 0};
     places.back().x = from_the_left(places.back().x);
     Curve curve;
-    sample_field(row, schemes, false, places, curve);
+    sample_field(row, schemes, row_sides.wraps(), places, curve);
     return curve;
 }
 
@@ -50,7 +52,7 @@ std::string IntervalReport::verdict() const {
 }
 
 Field row_of(std::span<const float> values) {
-    const Boundary domain({static_cast<int>(values.size()), 1, 1.0}, Sides::of<Box>());
+    const Boundary domain({static_cast<int>(values.size()), 1, 1.0}, row_sides);
     Field row = domain.field(Site::Centre);
     for (std::size_t k = 0; k < values.size(); ++k) row(static_cast<int>(k), 0) = values[k];
     domain.fill(row);

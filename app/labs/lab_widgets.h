@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/ui/ui.h"
-#include "core/schemes/scheme.h"
+#include "core/base/scheme_info.h"
 
 namespace whorl::app {
 

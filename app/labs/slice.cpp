@@ -85,7 +85,7 @@ SliceCurve curve_along(const Field& field, const Snapshot& lane, const SliceLine
         add(b.along, b.at);
     }
     curve.y.resize(places.size());
-    sample_field(field, schemes, lane.state.boundary.periodic(), places, curve.y);
+    sample_field(field, schemes, lane.state.boundary.wraps(), places, curve.y);
     for (std::size_t k = 0; k < places.size(); ++k) {
         if (solid(lane, cell_at(lane.grid(), places[k]))) curve.y[k] = NAN;
     }

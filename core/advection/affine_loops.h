@@ -7,13 +7,13 @@
 
 namespace whorl {
 
-template <Expansion expansion, bool periodic>
+template <Expansion expansion, bool wraps_x, bool wraps_y>
 struct SampleParticlesLoop {
     template <int bytes>
     static WHORL_INLINE void run(std::span<const Field* const> fields, Site site, NodeSpan nodes,
                                  const Real* dx, const Real* dy, const ParticleSamples& out) {
         using T = RealVector<bytes>;
-        const Locator<T, periodic> locator(*fields[0], site);
+        const Locator<T, wraps_x, wraps_y> locator(*fields[0], site);
         const Index stride = fields[0]->stride();
         for (int k = 0; k < nodes.count; k += vector_width<T>) {
             IndexVector<bytes> i, j;

@@ -44,7 +44,7 @@ struct Kernels {
     LimitFn limit_base;  ///< inside a predictor-corrector, after its base step; null leaves it as it is
 };
 
-/// The inner loops for a set of schemes in a domain with periodic sides or walls.
-Kernels choose_kernels(const SchemeSet& schemes, bool periodic, Isa isa = best_isa());
+/// The inner loops for a set of schemes in a domain that wraps along some axes.
+Kernels choose_kernels(const SchemeSet& schemes, Wraps wraps, Isa isa = best_isa());
 
 }  // namespace whorl

@@ -21,7 +21,7 @@ void Stateless::advect(std::span<const AdvectedField> fields, const AdvectionSte
         for (LatticeTile& tile : tiles_)
             tile.shape(*lattice_, std::min(static_cast<int>(fields.size()), most));
     }
-    const Step base{.kernels = choose_kernels(setup_.schemes, step.boundary->periodic(), setup_.isa),
+    const Step base{.kernels = choose_kernels(setup_.schemes, step.boundary->wraps(), setup_.isa),
                     .particles = stencil_->particles(),
                     .lattice = lattice_ ? &*lattice_ : nullptr,
                     .tiles = tiles_,

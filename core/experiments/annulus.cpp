@@ -20,7 +20,7 @@ void write_annulus(const Grid& grid, WorldPoint centre, Field& q) {
 void thesis_test(Scene& scene) {
     scene.width = scene.height = 40;
     scene.resolution = 40;
-    scene.sides = Sides::of<Periodic>();
+    scene.sides = sides::periodic;
     scene.dt = 1.0 / 60;
     scene.steps = 1200;
 }

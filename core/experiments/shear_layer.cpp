@@ -34,7 +34,7 @@ Experiment shear_layer() {
                      "Two layers of opposite flow roll up into vortices; dissipation decides how fine."},
             .setup =
                 [](Scene& s) {
-                    s.sides = Sides::of<Periodic>();
+                    s.sides = sides::periodic;
                     s.steps = 720;
                 },
             .start = start,

@@ -42,7 +42,7 @@ Experiment taylor_green() {
                      "Four steady vortices of an ideal fluid: every loss of energy is the scheme's."},
             .setup =
                 [](Scene& s) {
-                    s.sides = Sides::of<Periodic>();
+                    s.sides = sides::periodic;
                     s.steps = 600;
                 },
             .start = start,

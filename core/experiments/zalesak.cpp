@@ -44,7 +44,7 @@ Experiment zalesak() {
                 [](Scene& s) {
                     s.width = s.height = 40;
                     s.resolution = 100;
-                    s.sides = Sides::of<Box>();
+                    s.sides = sides::box;
                     s.steps = 1200;
                 },
             .start = [](State& s) { write_disk(s.grid(), s.density()); },

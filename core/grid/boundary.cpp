@@ -11,24 +11,37 @@ int wrap(int i, int n) {
     return r < 0 ? r + n : r;
 }
 
+/// Whether `fill`, `enforce` and open faces are what a kind of side asks for.
+bool keeps(const SideKind& kind) {
+    return kind.wraps ||
+           (kind.normal == Condition::Zero && kind.tangential == Condition::ZeroGradient &&
+            kind.scalars == Condition::ZeroGradient && kind.pressure == Condition::ZeroGradient);
+}
+
 }  // namespace
 
-Boundary::Boundary(Grid grid, Sides::Id sides)
-    : grid_(grid),
-      periodic_(sides == Sides::of<Periodic>()),
-      mask_(static_cast<std::size_t>(grid.nx) * grid.ny, 0) {
+Boundary::Boundary(Grid grid, const Sides& sides)
+    : grid_(grid), sides_(sides), mask_(static_cast<std::size_t>(grid.nx) * grid.ny, 0) {
+    if (sides.wraps() != Wraps{sides.right.kind->wraps, sides.top.kind->wraps})
+        throw std::invalid_argument("a side wraps where the opposite one does too");
+    for (const Side& side : {sides.left, sides.right, sides.bottom, sides.top}) {
+        if (!keeps(*side.kind))
+            throw std::invalid_argument("no boundary keeps the conditions of a side that is " +
+                                        std::string(side.kind->key));
+    }
     for (const Site site : {Site::Centre, Site::FaceX, Site::FaceY})
         rules_[static_cast<int>(site)] = make_rule(site);
 }
 
 bool Boundary::solid(int i, int j) const {
-    if (periodic_) {
-        i = wrap(i, grid_.nx);
-        j = wrap(j, grid_.ny);
-    } else if (i < 0 || j < 0 || i >= grid_.nx || j >= grid_.ny) {
-        return true;
-    }
-    return mask_[static_cast<std::size_t>(j) * grid_.nx + i] != 0;
+    // All sides that do not wrap are closed.
+    return !inside(i, j, grid_.nx, grid_.ny) || mask_[static_cast<std::size_t>(j) * grid_.nx + i] != 0;
+}
+
+bool Boundary::inside(int& i, int& j, int nx, int ny) const {
+    if (wraps().x) i = wrap(i, nx);
+    if (wraps().y) j = wrap(j, ny);
+    return i >= 0 && j >= 0 && i < nx && j < ny;
 }
 
 void Boundary::set_solids(std::vector<std::uint8_t> mask) {
@@ -48,8 +61,8 @@ std::size_t Boundary::bytes() const {
 }
 
 std::pair<int, int> Boundary::shape(Site site) const {
-    return {grid_.nx + (site == Site::FaceX && !periodic_ ? 1 : 0),
-            grid_.ny + (site == Site::FaceY && !periodic_ ? 1 : 0)};
+    return {grid_.nx + (site == Site::FaceX && !wraps().x ? 1 : 0),
+            grid_.ny + (site == Site::FaceY && !wraps().y ? 1 : 0)};
 }
 
 Field Boundary::field(Site site, Real value) const {
@@ -86,12 +99,7 @@ Boundary::SolidRule Boundary::make_rule(Site site) const {
             for (const auto& step : steps) {
                 int ni = i + step[0];
                 int nj = j + step[1];
-                if (periodic_) {
-                    ni = wrap(ni, width);
-                    nj = wrap(nj, height);
-                } else if (ni < 0 || nj < 0 || ni >= width || nj >= height) {
-                    continue;
-                }
+                if (!inside(ni, nj, width, height)) continue;
                 const int to = nj * width + ni;
                 if (source[to] >= 0) continue;
                 source[to] = source[at];
@@ -111,10 +119,11 @@ void Boundary::fill(Field& field) const {
     for (const Copy& copy : rule(field.site()).nearest) {
         field(copy.to % width, copy.to / width) = field(copy.from % width, copy.from / width);
     }
+    const auto [wraps_x, wraps_y] = wraps();
     int left[g], right[g];  // where the ghost samples of a row come from
     for (int k = 0; k < g; ++k) {
-        left[k] = periodic_ ? wrap(-1 - k, width) : 0;
-        right[k] = periodic_ ? k % width : width - 1;
+        left[k] = wraps_x ? wrap(-1 - k, width) : 0;
+        right[k] = wraps_x ? k % width : width - 1;
     }
     for (int j = 0; j < height; ++j) {
         Real* row = field.row(j);
@@ -124,8 +133,8 @@ void Boundary::fill(Field& field) const {
         }
     }
     for (int k = 1; k <= g; ++k) {
-        const Real* below = field.row(periodic_ ? wrap(-k, height) : 0);
-        const Real* above = field.row(periodic_ ? (k - 1) % height : height - 1);
+        const Real* below = field.row(wraps_y ? wrap(-k, height) : 0);
+        const Real* above = field.row(wraps_y ? (k - 1) % height : height - 1);
         std::copy(below - g, below + width + g, field.row(-k) - g);
         std::copy(above - g, above + width + g, field.row(height - 1 + k) - g);
     }

@@ -8,20 +8,9 @@
 #include <vector>
 
 #include "core/grid/field.h"
-#include "core/schemes/scheme.h"
+#include "core/grid/sides.h"
 
 namespace whorl {
-
-/// Four free-slip walls.
-struct Box {
-    static constexpr SchemeInfo info{"box", "Closed box", "", "Four free-slip walls close the domain."};
-};
-/// Opposite sides are the same place.
-struct Periodic {
-    static constexpr SchemeInfo info{"periodic", "Periodic", "",
-                                     "What leaves on one side comes in on the opposite one."};
-};
-using Sides = SchemeList<Box, Periodic>;
 
 /// The sides of the domain and a mask of stationary solid cells.
 ///
@@ -31,15 +20,18 @@ using Sides = SchemeList<Box, Periodic>;
 class Boundary {
   public:
     Boundary() = default;
-    Boundary(Grid grid, Sides::Id sides);
+    /// @throws std::invalid_argument if a side wraps and the opposite one does not, or has conditions other
+    /// than a free-slip wall's
+    Boundary(Grid grid, const Sides& sides);
 
     const Grid& grid() const { return grid_; }
-    bool periodic() const { return periodic_; }
+    const Sides& sides() const { return sides_; }
+    Wraps wraps() const { return sides_.wraps(); }
     bool has_solids() const { return solids_ > 0; }
     /// Number of fluid cells.
     int fluid_cells() const { return grid_.nx * grid_.ny - solids_; }
 
-    /// Whether cell (i, j) is solid; outside a box everything is, a periodic index wraps.
+    /// Whether cell (i, j) is solid, as is all that lies beyond a wall. Beyond a side that wraps, indices do.
     bool solid(int i, int j) const;
     /// Makes cells solid or fluid by `mask` (nx × ny, row by row, non-zero is solid).
     /// @throws std::invalid_argument if the mask has another size.
@@ -52,8 +44,8 @@ class Boundary {
     bool open_x(int i, int j) const { return !solid(i - 1, j) && !solid(i, j); }
     bool open_y(int i, int j) const { return !solid(i, j - 1) && !solid(i, j); }
 
-    /// A field of this domain's shape at a site. In a box a face field has both walls' faces; in a periodic
-    /// domain the last face is the first one, and lies in the ghost border.
+    /// A field of this domain's shape at a site. A face field has the faces of both sides that it crosses;
+    /// where they wrap, the last face is the first one, and lies in the ghost border.
     Field field(Site site, Real value = 0) const;
     FaceVelocity velocity() const { return {field(Site::FaceX), field(Site::FaceY)}; }
 
@@ -80,12 +72,14 @@ class Boundary {
         std::vector<int> closed;    ///< faces with fluid on one side only: normal velocity 0
     };
 
+    /// Whether (i, j) lies within nx × ny, once indices have wrapped where sides do.
+    bool inside(int& i, int& j, int nx, int ny) const;
     SolidRule make_rule(Site site) const;
     const SolidRule& rule(Site site) const { return rules_[static_cast<int>(site)]; }
     std::pair<int, int> shape(Site site) const;
 
     Grid grid_;
-    bool periodic_ = false;
+    Sides sides_;
     int solids_ = 0;
     int revision_ = 0;
     std::vector<std::uint8_t> mask_;

@@ -13,10 +13,10 @@ double number(Real value) {
     return static_cast<double>(value);
 }
 
-Kernels kernels_of(SchemeSet schemes, bool periodic, bool clamped, Id<Limiter> limiter) {
+Kernels kernels_of(SchemeSet schemes, Wraps wraps, bool clamped, Id<Limiter> limiter) {
     schemes.clamped = clamped;
     schemes.limiter = limiter;
-    return choose_kernels(schemes, periodic);
+    return choose_kernels(schemes, wraps);
 }
 
 /// "(−0.25, 0.5)", in cells.
@@ -42,9 +42,9 @@ bool clamps(const SchemeSet& schemes) {
 NodeStepper::NodeStepper(const SchemeSet& schemes, const LastAdvection& last)
     : schemes_(schemes),
       last_(last),
-      kernels_(choose_kernels(schemes, last.boundary->periodic())),
-      unclamped_(kernels_of(schemes, last.boundary->periodic(), false, schemes.limiter).sample),
-      clamp_(kernels_of(schemes, last.boundary->periodic(), false, clamp_limiter).limit),
+      kernels_(choose_kernels(schemes, last.boundary->wraps())),
+      unclamped_(kernels_of(schemes, last.boundary->wraps(), false, schemes.limiter).sample),
+      clamp_(kernels_of(schemes, last.boundary->wraps(), false, clamp_limiter).limit),
       stencil_(schemes.stencil, schemes.zeta, schemes.weights, last.boundary->grid().dimensions(),
                last.setup.seed),
       lattice_(schemes.affine() ? Lattice::of(stencil_.particles()) : std::nullopt),

@@ -70,8 +70,8 @@ class Patch {
           boundary_(boundary),
           at_(at),
           x_first_(x_first || q.height() == 1) {
-        along_x_ = {at.x, {at.i, q.width() - 1, boundary.periodic()}};
-        along_y_ = {at.y, {at.j, q.height() - 1, boundary.periodic()}};
+        along_x_ = {at.x, {at.i, q.width() - 1, boundary.wraps().x}};
+        along_y_ = {at.y, {at.j, q.height() - 1, boundary.wraps().y}};
     }
 
     /// The nodes that are read, with their weights where they have some. A single row is read along x alone.
@@ -164,14 +164,12 @@ class Patch {
 }  // namespace
 
 std::string node_name(std::string_view symbol, const Field& q, const Boundary& boundary, int i, int j) {
-    const bool outside = i < 0 || j < 0 || i >= q.width() || j >= q.height();
     const auto wrap = [](int k, int n) { return (k % n + n) % n; };
-    if (boundary.periodic()) {
-        i = wrap(i, q.width());
-        j = wrap(j, q.height());
-    }
+    if (boundary.wraps().x) i = wrap(i, q.width());
+    if (boundary.wraps().y) j = wrap(j, q.height());
+    const bool outside = i < 0 || j < 0 || i >= q.width() || j >= q.height();
     const std::string name = std::string(symbol) + "(" + std::to_string(i) + ", " + std::to_string(j) + ")";
-    return outside && !boundary.periodic() ? name + " behind the wall" : name;
+    return outside ? name + " behind the wall" : name;
 }
 
 Sum interpolation_sum(const Field& q, std::string_view symbol, const Boundary& boundary,

@@ -21,7 +21,7 @@ WorldPoint world(const Departing& from, Vec2 at) {
 }  // namespace
 
 Path path_of(const Tracer& tracer, const Departing& from) {
-    const TracedPath traced = tracer.follow({from.velocity, from.site}, from.boundary->periodic(), from.i,
+    const TracedPath traced = tracer.follow({from.velocity, from.site}, from.boundary->wraps(), from.i,
                                             from.j, from.start, from.dt);
     Path path;
     path.start = world(from, traced.start);
@@ -34,7 +34,7 @@ Path path_of(const Tracer& tracer, const Departing& from) {
 }
 
 std::vector<WorldPoint> fine_path(const Departing& from) {
-    const TraceFn trace = rk4.trace(from.boundary->periodic(), best_isa());
+    const TraceFn trace = rk4.trace(from.boundary->wraps(), best_isa());
     std::vector<WorldPoint> points;
     Vec2 at = from.start;
     const auto sensible = [](Real d) { return std::abs(d) < far; };

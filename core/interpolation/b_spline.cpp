@@ -23,7 +23,7 @@ struct BSpline {
     template <class T>
     static WHORL_INLINE T at(SameAs<T> qm, SameAs<T> q0, SameAs<T> q1, SameAs<T> q2, T t, IntervalFor<T> in) {
         const T internal = rising(t) * q2 + centre(t - 1) * q1 + centre(-t) * q0 + rising(1 - t) * qm;
-        if (in.periodic) return internal;
+        if (in.wraps) return internal;
         if (in.last == 0) return q1;
         const T first = near_wall<T>(qm, q0, q1, q2, t, in.i);
         const T last = near_wall<T>(q2, q1, q0, qm, 1 - t, in.last - 1 - in.i);

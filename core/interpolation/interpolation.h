@@ -5,6 +5,7 @@
 
 #include "core/base/id.h"
 #include "core/base/scheme_info.h"
+#include "core/grid/sides.h"
 #include "core/interpolation/hermite.h"
 #include "core/interpolation/interval.h"
 #include "core/sampling/node_span.h"
@@ -29,7 +30,7 @@ using SampleFn = void (*)(const Field&, const CellPositions&, int count, Values&
 struct SampleOptions {
     bool x_first = true;   ///< along x, then along y; or the other way
     bool clamped = false;  ///< to the enclosing samples  [T 3.8]
-    bool periodic = false;
+    Wraps wraps{};
 };
 
 struct Interpolation {

@@ -11,7 +11,7 @@ template <class T>
 struct IntervalOf {
     IndexOf<T> i;
     int last;
-    bool periodic;
+    bool wraps;
 };
 using Interval = IntervalOf<Real>;
 

@@ -5,6 +5,7 @@
 
 #include "core/interpolation/interpolation.h"
 #include "core/parallel/isa.h"
+#include "core/sampling/axis.h"
 #include "core/sampling/cell.h"
 
 namespace whorl {
@@ -84,7 +85,7 @@ struct Patch {
     }
 };
 
-template <class I, bool x_first, bool clamped, bool periodic>
+template <class I, bool x_first, bool clamped, bool wraps_x, bool wraps_y>
 struct SampleLoop {
     template <int bytes>
     static WHORL_INLINE void run(const Field& field, const CellPositions& at, int count, Values& out) {
@@ -104,26 +105,20 @@ struct SampleLoop {
             } else {
                 const Patch<T> patch(origin, stride, samples);
                 const T value =
-                    patch.template at<I, x_first>(x, y, {load<Indices>(at.i + k), last_x, periodic},
-                                                  {load<Indices>(at.j + k), last_y, periodic});
+                    patch.template at<I, x_first>(x, y, {load<Indices>(at.i + k), last_x, wraps_x},
+                                                  {load<Indices>(at.j + k), last_y, wraps_y});
                 store(clamped ? patch.clamp(value) : value, out + k);
             }
         }
     }
 };
 
-/// Turns a run-time choice into a template argument.
-template <class F>
-auto with_bool(bool value, F&& f) {
-    return value ? f(std::true_type{}) : f(std::false_type{});
-}
-
 template <class I>
 SampleFn choose_sample_loop(const SampleOptions& o, Isa isa) {
     return with_bool(o.x_first || I::traits.bilinear, [&]<class X>(X) {
         return with_bool(o.clamped && !I::traits.bilinear, [&]<class C>(C) {
-            return with_bool(o.periodic, [&]<class P>(P) {
-                return PerIsa<SampleFn, SampleLoop<I, X::value, C::value, P::value>>::pick(isa);
+            return with_wraps(o.wraps, [&]<class WX, class WY>(WX, WY) {
+                return PerIsa<SampleFn, SampleLoop<I, X::value, C::value, WX::value, WY::value>>::pick(isa);
             });
         });
     });

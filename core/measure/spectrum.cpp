@@ -11,11 +11,15 @@ namespace {
 
 /// One axis of a domain: its samples, continued to a whole period of the modes.
 struct Axis {
-    Axis(int cells, bool periodic)
-        : samples(cells), period(periodic ? cells : 2 * cells), modes(periodic ? cells / 2 + 1 : cells) {}
+    Axis(int cells, bool closes)
+        : wraps(closes),
+          samples(cells),
+          period(wraps ? cells : 2 * cells),
+          modes(wraps ? cells / 2 + 1 : cells) {}
 
+    bool wraps;
     int samples;  ///< one a cell
-    int period;   ///< in cells; a box and its mirror image
+    int period;   ///< in cells; between walls, the domain and its mirror image
     int modes;    ///< that a real line may have, of wave numbers 0, 1, 2 … a period
 
     /// How many of the modes of a period have this wave number: itself, and its negative.
@@ -67,8 +71,8 @@ void Spectrum::compute(const FaceVelocity& velocity, const Boundary& boundary) {
 
 void Spectrum::set_shells(const Boundary& boundary) {
     const Grid& grid = boundary.grid();
-    const Axis x(grid.nx, boundary.periodic());
-    const Axis y(grid.ny, boundary.periodic());
+    const Axis x(grid.nx, boundary.wraps().x);
+    const Axis y(grid.ny, boundary.wraps().y);
     const int longer = std::max(x.period, y.period);
     spacing_ = 2 * std::numbers::pi / (longer * grid.h);
     k_.resize(1 + shell(waves(x.modes - 1, x, longer), waves(y.modes - 1, y, longer)));
@@ -77,15 +81,16 @@ void Spectrum::set_shells(const Boundary& boundary) {
 }
 
 /// Adds the energy of one component: first along the axis that it points in, where it is odd across walls,
-/// then across. A sine's modes are imaginary, so that in a box half of what the first pass leaves is 0. Of a
-/// complex line the two parts are transformed apart: a wave number and its negative have the same energy
+/// then across. A sine's modes are imaginary, so that between walls half of what the first pass leaves is 0.
+/// Of a complex line the two parts are transformed apart: a wave number and its negative have the same energy
 /// together, and share a shell.
 void Spectrum::add(const Field& face, const Boundary& boundary) {
-    const bool periodic = boundary.periodic();
     const bool points_in_x = face.site() == Site::FaceX;
     const Grid& grid = boundary.grid();
-    const Axis along(points_in_x ? grid.nx : grid.ny, periodic);
-    const Axis across(points_in_x ? grid.ny : grid.nx, periodic);
+    const Axis x(grid.nx, boundary.wraps().x);
+    const Axis y(grid.ny, boundary.wraps().y);
+    const Axis& along = points_in_x ? x : y;
+    const Axis& across = points_in_x ? y : x;
     const int longer = std::max(along.period, across.period);
     Transform& t = *transform_;
     t.line.resize(longer);
@@ -100,14 +105,14 @@ void Spectrum::add(const Field& face, const Boundary& boundary) {
             const bool open = points_in_x ? boundary.open_x(i, j) : boundary.open_y(i, j);
             t.line[a] = open ? static_cast<double>(face(i, j)) : 0;
         }
-        if (!periodic) {
+        if (!along.wraps) {
             t.line[along.samples] = 0;  // the far wall
             for (int a = 1; a < along.samples; ++a) t.line[along.period - a] = -t.line[a];
         }
         t.run(along.period);
         for (int mode = 0; mode < along.modes; ++mode) {
             const std::size_t at = mode * stride + b;
-            if (periodic) t.real[at] = t.modes[mode].real();
+            if (along.wraps) t.real[at] = t.modes[mode].real();
             t.imaginary[at] = t.modes[mode].imag();
         }
     }
@@ -116,10 +121,10 @@ void Spectrum::add(const Field& face, const Boundary& boundary) {
     const double scale = 0.5 / (modes * modes * spacing_);
     for (int mode = 0; mode < along.modes; ++mode) {
         for (const std::vector<double>* plane : {&t.real, &t.imaginary}) {
-            if (!periodic && plane == &t.real) continue;
+            if (!along.wraps && plane == &t.real) continue;
             const double* row = plane->data() + mode * stride;
             std::copy(row, row + across.samples, t.line.begin());
-            if (!periodic) std::reverse_copy(row, row + across.samples, t.line.begin() + across.samples);
+            if (!across.wraps) std::reverse_copy(row, row + across.samples, t.line.begin() + across.samples);
             t.run(across.period);
             for (int other = 0; other < across.modes; ++other) {
                 energy_[shell(waves(mode, along, longer), waves(other, across, longer))] +=

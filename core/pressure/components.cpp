@@ -96,9 +96,9 @@ void Components::find_runs(const Boundary& boundary, std::vector<int>& parents) 
             const bool met = i > 0 && row[i - 1] >= 0 && j > 0 && below[i - 1] >= 0;
             if (j > 0 && below[i] >= 0 && !met) join(parents, row[i], below[i]);
         }
-        if (boundary.periodic() && row[0] >= 0 && row[nx_ - 1] >= 0) join(parents, row[0], row[nx_ - 1]);
+        if (boundary.wraps().x && row[0] >= 0 && row[nx_ - 1] >= 0) join(parents, row[0], row[nx_ - 1]);
     }
-    if (!boundary.periodic()) return;
+    if (!boundary.wraps().y) return;
     const int* top = labels_.data() + static_cast<std::size_t>(ny_ - 1) * nx_;
     for (int i = 0; i < nx_; ++i) {
         if (labels_[i] >= 0 && top[i] >= 0) join(parents, labels_[i], top[i]);

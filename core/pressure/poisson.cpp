@@ -10,8 +10,8 @@ namespace whorl {
 void Poisson::prepare(const Boundary& boundary, Pool& pool) {
     nx_ = boundary.grid().nx;
     ny_ = boundary.grid().ny;
-    wraps_x_ = boundary.periodic() && nx_ > 1;
-    wraps_y_ = boundary.periodic() && ny_ > 1;
+    wraps_x_ = boundary.wraps().x && nx_ > 1;
+    wraps_y_ = boundary.wraps().y && ny_ > 1;
     degrees_.assign(static_cast<std::size_t>(nx_ + 1) * ny_, 0);
     zeros_.assign(static_cast<std::size_t>(nx_), 0);
     row_largest_.assign(static_cast<std::size_t>(ny_), 0);

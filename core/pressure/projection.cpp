@@ -24,7 +24,7 @@ void Projection::set_solver(std::size_t index, double tolerance) {
 SolverKeeper::Change Projection::take(const Boundary& boundary) {
     const Grid& grid = boundary.grid();
     auto change = SolverKeeper::Change::None;
-    if (!(grid_ == grid) || periodic_ != boundary.periodic()) {
+    if (!(grid_ == grid) || sides_ != boundary.sides()) {
         change = SolverKeeper::Change::Domain;
         const std::size_t cells = static_cast<std::size_t>(grid.nx) * grid.ny;
         right_.assign(cells, 0);
@@ -35,7 +35,7 @@ SolverKeeper::Change Projection::take(const Boundary& boundary) {
     }
     if (change != SolverKeeper::Change::None) {
         grid_ = grid;
-        periodic_ = boundary.periodic();
+        sides_ = boundary.sides();
         solids_ = boundary.solids();
         components_ = Components(boundary);
     }
@@ -133,15 +133,16 @@ double Projection::largest_of_rows(int rows) const {
 void Projection::correct(FaceVelocity& velocity, double factor, Pool& pool) const {
     const int nx = grid_.nx;
     const int ny = grid_.ny;
+    const Wraps wraps = sides_.wraps();
     row_bands(pool, nx, ny, [&](int begin, int end) {
         for (int j = begin; j < end; ++j) {
             const std::size_t at = static_cast<std::size_t>(j) * nx;
             const double* p = p_.data() + at;
             const std::uint8_t* solid = solids_.data() + at;
             rows::subtract_gradient(solid, solid + 1, p, p + 1, factor, velocity.u.row(j) + 1, nx - 1);
-            if (periodic_)
+            if (wraps.x)
                 rows::subtract_gradient(solid + nx - 1, solid, p + nx - 1, p, factor, velocity.u.row(j), 1);
-            if (j == 0 && !periodic_) continue;
+            if (j == 0 && !wraps.y) continue;
             const std::size_t below = static_cast<std::size_t>(j > 0 ? j - 1 : ny - 1) * nx;
             rows::subtract_gradient(solids_.data() + below, solid, p_.data() + below, p, factor,
                                     velocity.v.row(j), nx);

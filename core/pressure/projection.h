@@ -67,7 +67,7 @@ class Projection {
     SolverKeeper keeper_;
     Components components_;
     Grid grid_;
-    bool periodic_ = false;
+    Sides sides_;
     std::vector<std::uint8_t> solids_;
     std::vector<double> right_, p_, row_largest_;
 };

@@ -1,6 +1,9 @@
 // From points near nodes to the intervals of samples that hold them.
 #pragma once
 
+#include <type_traits>
+
+#include "core/grid/sides.h"
 #include "core/sampling/node_span.h"
 
 namespace whorl {
@@ -9,7 +12,7 @@ namespace whorl {
 inline constexpr Real far = 1e6F;
 
 /// One axis of samples 0 … n − 1.
-template <class T, bool periodic>
+template <class T, bool wraps>
 struct Axis {
     Real n, turn;
 
@@ -18,7 +21,7 @@ struct Axis {
     /// The interval that holds the point `d` cells from sample `node`.
     /// Whole cells and the fraction stay apart, so that precision does not fall with the size of the grid.
     WHORL_INLINE IndexVector<sizeof(T)> place(T node, T d, T& t) const {
-        if constexpr (periodic) {
+        if constexpr (wraps) {
             d = smaller(larger(broadcast<T>(-far), d), broadcast<T>(far));  // a NaN goes to −far
             const T whole = round_down(d);
             const T i = node + whole;
@@ -35,9 +38,21 @@ struct Axis {
     }
     /// Whether samples i … i + count − 1 begin intervals that need no care.
     WHORL_INLINE bool contains(int i, int count) const {
-        return i >= (periodic ? 0 : -1) && static_cast<Real>(i + count) <= n;
+        return i >= (wraps ? 0 : -1) && static_cast<Real>(i + count) <= n;
     }
 };
+
+/// Turns a run-time choice into a template argument.
+template <class F>
+auto with_bool(bool value, F&& f) {
+    return value ? f(std::true_type{}) : f(std::false_type{});
+}
+/// The same for the axes that wrap.
+template <class F>
+auto with_wraps(Wraps wraps, F&& f) {
+    return with_bool(wraps.x,
+                     [&]<class X>(X x) { return with_bool(wraps.y, [&]<class Y>(Y y) { return f(x, y); }); });
+}
 
 /// A vector of neighbouring nodes of one row.
 template <class T>

@@ -7,9 +7,10 @@
 namespace whorl {
 
 /// The cells of a field that hold points displaced from nodes of a site.
-template <class T, bool periodic>
+template <class T, bool wraps_x, bool wraps_y>
 struct Locator {
-    Axis<T, periodic> axis_x, axis_y;
+    Axis<T, wraps_x> axis_x;
+    Axis<T, wraps_y> axis_y;
     Real shift_x, shift_y;
 
     WHORL_INLINE Locator(const Field& field, Site site)
@@ -25,13 +26,13 @@ struct Locator {
     }
 };
 
-template <bool periodic>
+template <bool wraps_x, bool wraps_y>
 struct LocateLoop {
     template <int bytes>
     static WHORL_INLINE void run(const Field& field, Site site, NodeSpan nodes, const Real* dx,
                                  const Real* dy, CellPositions& out) {
         using T = RealVector<bytes>;
-        const Locator<T, periodic> locator(field, site);
+        const Locator<T, wraps_x, wraps_y> locator(field, site);
         const Index stride = field.stride();
         for (int k = 0; k < nodes.count; k += vector_width<T>) {
             IndexVector<bytes> i, j;

@@ -34,8 +34,8 @@ struct CellPositions {
     alignas(64) Values y;
 };
 
-/// Finds the cells of a field that hold points displaced from nodes of a site. Periodic points wrap; in a box
-/// they stop where ghost values do.
+/// Finds the cells of a field that hold points displaced from nodes of a site. Between walls points stop
+/// where ghost values do.
 using LocateFn = void (*)(const Field&, Site nodes, NodeSpan, const Real* dx, const Real* dy,
                           CellPositions& out);
 

@@ -57,18 +57,7 @@ Parameter value_row(Words words, Group group, Range range, Member member) {
     return p;
 }
 
-/// A row for a choice from a scheme list.
-template <class List, class Member>
-Parameter choice_row(Words words, Group group, Member member) {
-    const double last = static_cast<double>(List::infos.size() - 1);
-    Parameter p = row(std::move(words), group, Kind::Choice, {0, last, 0, last});
-    p.choices.assign(List::infos.begin(), List::infos.end());
-    p.get = [member](const Scene& s) { return static_cast<double>(member(const_cast<Scene&>(s)).index()); };
-    p.set = [member](Scene& s, double v) { member(s) = List::Id::at(static_cast<std::size_t>(v)); };
-    return p;
-}
-
-/// The same for an entry of a registry.
+/// A row for a choice of an entry of a registry.
 template <class Entry, class Member>
 Parameter entry_row(Words words, Group group, Member member) {
     const double last = static_cast<double>(Entry::list().all().size() - 1);
@@ -115,6 +104,19 @@ void add_scheme_rows(Table& table, const MakeRow& make) {
 // ---- the rows
 // ------------------------------------------------------------------------------------------------
 
+Parameter sides_row() {
+    const auto all = NamedSides::list().all();
+    const double last = static_cast<double>(all.size() - 1);
+    Parameter p = row({"sides", "Sides", "", "What closes the domain.", ""}, Group::Domain, Kind::Choice,
+                      {0, last, 0, last});
+    for (const NamedSides* each : all) p.choices.push_back(each->info);
+    p.get = [](const Scene& s) { return static_cast<double>(NamedSides::list().index(named(s.sides))); };
+    p.set = [](Scene& s, double v) {
+        s.sides = NamedSides::list().all()[static_cast<std::size_t>(v)]->sides;
+    };
+    return p;
+}
+
 void add_domain(Table& t) {
     t.push_back(value_row(
         {"resolution", "Resolution", "cells", "Cells along the width. The running fields are resampled.", ""},
@@ -123,8 +125,7 @@ void add_domain(Table& t) {
                           {1, 1000, 10, 100}, [](Scene& s) -> double& { return s.width; }));
     t.push_back(value_row({"height", "Height", "length", "Height of the domain.", ""}, Group::Domain,
                           {1, 1000, 10, 100}, [](Scene& s) -> double& { return s.height; }));
-    t.push_back(choice_row<Sides>({"sides", "Sides", "", "What closes the domain.", ""}, Group::Domain,
-                                  [](Scene& s) -> Sides::Id& { return s.sides; }));
+    t.push_back(sides_row());
 }
 
 void add_time(Table& t) {

@@ -20,9 +20,9 @@ std::string conflict_of(const SchemeSet& s, std::string_view what, const Scene& 
                std::string(s.interpolation.key()) + of + "; set interpolation=linear";
     }
     const Grid grid = scene.grid();
-    const bool too_few = grid.nx < interpolation.min_samples ||
-                         (grid.dimensions() == 2 && grid.ny < interpolation.min_samples);
-    if (scene.sides == Sides::of<Box>() && too_few) {
+    const Wraps wraps = scene.sides.wraps();
+    if ((!wraps.x && grid.nx < interpolation.min_samples) ||
+        (!wraps.y && grid.dimensions() == 2 && grid.ny < interpolation.min_samples)) {
         return std::string(s.interpolation.key()) + " needs at least " +
                std::to_string(interpolation.min_samples) + " cells along each side of a box (" +
                thesis_part(s.interpolation.info().source) + ")" + of;

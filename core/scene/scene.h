@@ -9,7 +9,6 @@
 #include "core/advection/scheme_set.h"
 #include "core/grid/boundary.h"
 #include "core/scene/field_list.h"
-#include "core/schemes/scheme.h"
 
 namespace whorl {
 
@@ -46,7 +45,7 @@ struct Scene {
     double width = 40, height = 40;  ///< length
     int resolution = 40;             ///< cells along the width
     int dimensions = 2;              ///< 1 takes a single row of cells
-    Sides::Id sides;
+    Sides sides;
 
     double dt = 1.0 / 60;   ///< time
     int steps = 600;        ///< of a run without a window

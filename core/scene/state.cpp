@@ -91,9 +91,9 @@ double total(const Field& field, const Boundary& boundary) {
 
 Real value_at(const Field& field, const Boundary& boundary, WorldPoint at) {
     const double h = boundary.grid().h;
-    const auto place = [&](double p, double offset, int n) {
+    const auto place = [&](double p, double offset, int n, bool wraps) {
         double x = p / h - offset;
-        if (boundary.periodic()) {
+        if (wraps) {
             x -= n * std::floor(x / n);
         } else {
             x = std::clamp(x, 0.0, static_cast<double>(n - 1));
@@ -101,8 +101,8 @@ Real value_at(const Field& field, const Boundary& boundary, WorldPoint at) {
         const int i = std::min(static_cast<int>(x), n - 1);
         return std::pair{i, static_cast<Real>(x - i)};
     };
-    const auto [i, x] = place(at.x, offset_x(field.site()), field.width());
-    const auto [j, y] = place(at.y, offset_y(field.site()), field.height());
+    const auto [i, x] = place(at.x, offset_x(field.site()), field.width(), boundary.wraps().x);
+    const auto [j, y] = place(at.y, offset_y(field.site()), field.height(), boundary.wraps().y);
     return lerp(lerp(field(i, j), field(i + 1, j), x), lerp(field(i, j + 1), field(i + 1, j + 1), x), y);
 }
 

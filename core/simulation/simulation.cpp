@@ -44,8 +44,7 @@ void Simulation::restart() {
 
 void Simulation::set_scene(const Scene& scene) {
     scene_ = scene;
-    if (!(state_.grid() == scene.grid()) ||
-        state_.boundary.periodic() != (scene.sides == Sides::of<Periodic>())) {
+    if (!(state_.grid() == scene.grid()) || state_.boundary.sides() != scene.sides) {
         const FlowSums before = meter_.flow(state_.velocity, state_.boundary, *pool_);
         solvers_.advected.reset();
         solvers_.forget();

@@ -13,11 +13,12 @@
 namespace whorl {
 
 /// One velocity component near the nodes of a site.
-template <class T, bool periodic>
+template <class T, bool wraps_x, bool wraps_y>
 struct Component {
     const Real* origin;
     Index stride;
-    Axis<T, periodic> axis_x, axis_y;
+    Axis<T, wraps_x> axis_x;
+    Axis<T, wraps_y> axis_y;
     Real shift_x, shift_y;
 
     WHORL_INLINE Component(const Field& field, Site node)
@@ -48,10 +49,10 @@ struct Component {
 };
 
 /// The velocity at points displaced from nodes, as a tracer asks for it.
-template <class T, bool periodic>
+template <class T, bool wraps_x, bool wraps_y>
 struct VelocityNear {
-    const Component<T, periodic>& u;
-    const Component<T, periodic>& v;
+    const Component<T, wraps_x, wraps_y>& u;
+    const Component<T, wraps_x, wraps_y>& v;
     const Nodes<T>& nodes;
 
     template <class Displacement>
@@ -60,17 +61,17 @@ struct VelocityNear {
     }
 };
 
-template <class Scheme, bool periodic>
+template <class Scheme, bool wraps_x, bool wraps_y>
 struct TraceLoop {
     template <int bytes>
     static WHORL_INLINE void run(const Flow& flow, NodeSpan nodes, Vec2 start, Real dt, Real* to_x,
                                  Real* to_y) {
         using T = RealVector<bytes>;
-        const Component<T, periodic> u(flow.velocity->u, flow.site);
-        const Component<T, periodic> v(flow.velocity->v, flow.site);
+        const Component<T, wraps_x, wraps_y> u(flow.velocity->u, flow.site);
+        const Component<T, wraps_x, wraps_y> v(flow.velocity->v, flow.site);
         for (int k = 0; k < nodes.count; k += vector_width<T>) {
             const Nodes<T> some(nodes.i + k, nodes.j);
-            const VelocityNear<T, periodic> velocity{u, v, some};
+            const VelocityNear<T, wraps_x, wraps_y> velocity{u, v, some};
             const Point<T> d = Scheme::trace(velocity, velocity(start),
                                              Point<T>{broadcast<T>(start.x), broadcast<T>(start.y)}, dt);
             store(d.x, to_x + k);
@@ -80,13 +81,13 @@ struct TraceLoop {
 };
 
 /// Traces as TraceLoop does, and notes what the tracer asks. Of the vector's elements the first counts.
-template <class Scheme, bool periodic>
+template <class Scheme, bool wraps_x, bool wraps_y>
 TracedPath follow_path(const Flow& flow, int i, int j, Vec2 start, Real dt) {
     using T = RealVector<16>;
-    const Component<T, periodic> u(flow.velocity->u, flow.site);
-    const Component<T, periodic> v(flow.velocity->v, flow.site);
+    const Component<T, wraps_x, wraps_y> u(flow.velocity->u, flow.site);
+    const Component<T, wraps_x, wraps_y> v(flow.velocity->v, flow.site);
     const Nodes<T> node(i, j);
-    const VelocityNear<T, periodic> velocity{u, v, node};
+    const VelocityNear<T, wraps_x, wraps_y> velocity{u, v, node};
     TracedPath path;
     const auto first = [](const Point<T>& p) { return Vec2(p.x[0], p.y[0]); };
     const auto noted = [&](const auto& asked, const Point<T>& at) {
@@ -102,15 +103,17 @@ TracedPath follow_path(const Flow& flow, int i, int j, Vec2 start, Real dt) {
 }
 
 template <class Scheme>
-TraceFn choose_trace_loop(bool periodic, Isa isa) {
-    return periodic ? PerIsa<TraceFn, TraceLoop<Scheme, true>>::pick(isa)
-                    : PerIsa<TraceFn, TraceLoop<Scheme, false>>::pick(isa);
+TraceFn choose_trace_loop(Wraps wraps, Isa isa) {
+    return with_wraps(wraps, [&]<class X, class Y>(X, Y) {
+        return PerIsa<TraceFn, TraceLoop<Scheme, X::value, Y::value>>::pick(isa);
+    });
 }
 
 template <class Scheme>
-TracedPath follow(const Flow& flow, bool periodic, int i, int j, Vec2 start, Real dt) {
-    return periodic ? follow_path<Scheme, true>(flow, i, j, start, dt)
-                    : follow_path<Scheme, false>(flow, i, j, start, dt);
+TracedPath follow(const Flow& flow, Wraps wraps, int i, int j, Vec2 start, Real dt) {
+    return with_wraps(wraps, [&]<class X, class Y>(X, Y) {
+        return follow_path<Scheme, X::value, Y::value>(flow, i, j, start, dt);
+    });
 }
 
 template <class S>

@@ -5,6 +5,7 @@
 
 #include "core/base/id.h"
 #include "core/base/scheme_info.h"
+#include "core/grid/sides.h"
 #include "core/parallel/isa.h"
 #include "core/sampling/node_span.h"
 
@@ -33,9 +34,9 @@ struct TracedPath {
 struct Tracer {
     SchemeInfo info;
     /// The loop over nodes.
-    TraceFn (*trace)(bool periodic, Isa);
+    TraceFn (*trace)(Wraps, Isa);
     /// The same for one point near node (i, j).
-    TracedPath (*follow)(const Flow&, bool periodic, int i, int j, Vec2 start, Real dt);
+    TracedPath (*follow)(const Flow&, Wraps, int i, int j, Vec2 start, Real dt);
 
     /// All tracers; the first is the default.
     static Registry<Tracer>& list();

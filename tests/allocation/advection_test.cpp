@@ -8,7 +8,7 @@ namespace whorl {
 namespace {
 
 TEST(Advection, AllocatesOnlyInItsFirstStep) {
-    const Stirred from({{70, 50, 1}, Sides::of<Box>(), true}, 1.5);
+    const Stirred from({{70, 50, 1}, sides::box, true}, 1.5);
     Field density = from.density, temperature = from.temperature;
     FaceVelocity velocity = from.velocity;
     const AdvectedField fields[] = {{&from.density, &density},

@@ -11,7 +11,7 @@
 namespace whorl {
 namespace {
 
-State waves(int resolution, Sides::Id sides) {
+State waves(int resolution, const Sides& sides) {
     Scene scene;
     scene.resolution = resolution;
     scene.sides = sides;
@@ -24,36 +24,33 @@ State waves(int resolution, Sides::Id sides) {
 }
 
 void flow_sums(benchmark::State& state) {
-    const State flow = waves(static_cast<int>(state.range(0)), Sides::of<Box>());
+    const State flow = waves(static_cast<int>(state.range(0)), sides::box);
     Pool pool(static_cast<int>(state.range(1)));
     FlowMeter meter;
     for (auto _ : state) benchmark::DoNotOptimize(meter.measure(flow.velocity, flow.boundary, pool));
 }
 BENCHMARK(flow_sums)->ArgsProduct({{128, 256, 512}, {1, 2}})->UseRealTime()->Unit(benchmark::kMicrosecond);
 
-template <class Side>
-void spectrum(benchmark::State& state) {
-    const State flow = waves(static_cast<int>(state.range(0)), Sides::of<Side>());
+void spectrum(benchmark::State& state, const Sides& sides) {
+    const State flow = waves(static_cast<int>(state.range(0)), sides);
     Spectrum spectrum;
     for (auto _ : state) spectrum.compute(flow.velocity, flow.boundary);
 }
-BENCHMARK(spectrum<Box>)
-    ->Name("spectrum/box")
+BENCHMARK_CAPTURE(spectrum, box, sides::box)
     ->Arg(128)
     ->Arg(250)
     ->Arg(256)
     ->Arg(257)
     ->Arg(512)
     ->Unit(benchmark::kMillisecond);
-BENCHMARK(spectrum<Periodic>)
-    ->Name("spectrum/periodic")
+BENCHMARK_CAPTURE(spectrum, periodic, sides::periodic)
     ->Arg(128)
     ->Arg(256)
     ->Arg(512)
     ->Unit(benchmark::kMillisecond);
 
 void average(benchmark::State& state) {
-    const State fine = waves(static_cast<int>(state.range(0)), Sides::of<Box>());
+    const State fine = waves(static_cast<int>(state.range(0)), sides::box);
     Scene scene;
     scene.resolution = static_cast<int>(state.range(1));
     Field out = boundary_of(scene).field(Site::Centre);

@@ -87,7 +87,7 @@ class AdvectorContract : public testing::TestWithParam<Combination> {
   protected:
     static constexpr int nx = 13, ny = 10;  // odd and even, and not square
     Pool pool{1};
-    Boundary boundary{Grid{nx, ny, 0.5}, GetParam().periodic ? Sides::of<Periodic>() : Sides::of<Box>()};
+    Boundary boundary{Grid{nx, ny, 0.5}, GetParam().periodic ? sides::periodic : sides::box};
     std::mt19937 random{7};
 
     Field random_field() {
@@ -187,7 +187,7 @@ INSTANTIATE_TEST_SUITE_P(Stencils, AdvectorContract, testing::ValuesIn(stencil_c
 /// Periodic, in a uniform flow, linear semi-Lagrangian is a convolution whose weights sum to 1.
 TEST(LinearSemiLagrangian, KeepsPeriodicMassInUniformFlow) {
     Pool pool(1);
-    const Boundary boundary(Grid{17, 12, 0.25}, Sides::of<Periodic>());
+    const Boundary boundary(Grid{17, 12, 0.25}, sides::periodic);
     Field q = boundary.field(Site::Centre);
     std::mt19937 random(3);
     double before = 0;

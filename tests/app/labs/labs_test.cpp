@@ -74,10 +74,10 @@ TEST(InterpolationLab, SaysWhatFigure35Says) {
     std::array<float, 1> value;
     SchemeSet schemes;
     schemes.interpolation = Id<Interpolation>("fritsch-carlson");
-    sample_field(row, schemes, false, node, value);
+    sample_field(row, schemes, Wraps{}, node, value);
     EXPECT_EQ(value[0], 15);
     schemes.interpolation = Id<Interpolation>("b-spline");
-    sample_field(row, schemes, false, node, value);
+    sample_field(row, schemes, Wraps{}, node, value);
     EXPECT_GT(std::abs(value[0] - 15.0f), 1.0f);
 }
 
@@ -155,7 +155,7 @@ RC_GTEST_PROP(InterpolationLab, CurvesAreTheSchemesOwn, ()) {
         SchemeSet schemes;
         schemes.interpolation = Id<Interpolation>::at(k);
         std::array<float, 1> value;
-        sample_field(row, schemes, false, place, value);
+        sample_field(row, schemes, Wraps{}, place, value);
         const whorl::Interval in{i, row.width() - 1, false};
         const Real expected =
             schemes.interpolation->at({row(i - 1, 0), row(i, 0), row(i + 1, 0), row(i + 2, 0)}, t, in);

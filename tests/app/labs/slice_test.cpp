@@ -28,7 +28,7 @@ constexpr double rounding = 1e-12;  // of fractions and cells in double precisio
 /// A lane of 12 × 9 cells without smoke.
 Snapshot clear_lane(bool periodic) {
     Snapshot lane;
-    lane.state.boundary = Boundary(Grid{12, 9, 0.5}, periodic ? Sides::of<Periodic>() : Sides::of<Box>());
+    lane.state.boundary = Boundary(Grid{12, 9, 0.5}, periodic ? sides::periodic : sides::box);
     lane.state.scalars.push_back(lane.state.boundary.field(Site::Centre));
     return lane;
 }

@@ -2,14 +2,14 @@
 #include <gtest/gtest.h>
 
 #include "tests/core/advection/scheme_step.h"
+#include "tests/support/channel.h"
 
 namespace whorl {
 namespace {
 
-const Domain domains[] = {{{67, 21, 0.5}, Sides::of<Box>()},
-                          {{67, 21, 0.5}, Sides::of<Periodic>()},
-                          {{40, 33, 1}, Sides::of<Box>(), true},
-                          {{90, 1, 1}, Sides::of<Periodic>()}};
+const Domain domains[] = {{{67, 21, 0.5}, sides::box},          {{67, 21, 0.5}, sides::periodic},
+                          {{40, 33, 1}, sides::box, true},      {{90, 1, 1}, sides::periodic},
+                          {{40, 33, 1}, test::channel_x, true}, {{40, 33, 1}, test::channel_y, true}};
 
 /// A CFL number at which some lanes read in a row and others do not.
 constexpr double cfl = 3.3;

@@ -3,6 +3,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "tests/core/advection/scheme_step.h"
+#include "tests/support/channel.h"
 
 namespace whorl {
 namespace {
@@ -48,19 +49,19 @@ void expect_equal_nearly_everywhere(const SchemeSet& schemes, const Domain& doma
         }
     }
     EXPECT_LE(differing, nodes / 200) << named(schemes) << " on " << domain.grid.nx << " × " << domain.grid.ny
-                                      << (domain.sides == Sides::of<Box>() ? " box" : " periodic");
+                                      << " " << test::name(domain.sides);
 }
 
 TEST(Lattice, EqualsThePlainForm) {
     for (const auto advector : advectors) {
         for (const auto stencil : stencils) {
             for (int zeta = 1; zeta <= SchemeSet::max_zeta; ++zeta) {
-                for (const auto sides : {Sides::of<Box>(), Sides::of<Periodic>()}) {
+                for (const Sides& sides : test::all_sides) {
                     expect_equal_nearly_everywhere(affine(advector, stencil, zeta), {{37, 29, 0.5}, sides},
                                                    1.7);
                 }
                 expect_equal_nearly_everywhere(affine(advector, stencil, zeta),
-                                               {{40, 24, 1}, Sides::of<Box>(), true}, 0.8);
+                                               {{40, 24, 1}, sides::box, true}, 0.8);
             }
         }
     }
@@ -69,7 +70,7 @@ TEST(Lattice, EqualsThePlainForm) {
 TEST(Lattice, EqualsThePlainFormOverTilesAndTinyGrids) {
     for (const Grid grid :
          {Grid{300, 9, 1}, Grid{127, 5, 1}, Grid{128, 5, 1}, Grid{4, 4, 1}, Grid{65, 3, 1}, Grid{1, 7, 1}}) {
-        for (const auto sides : {Sides::of<Box>(), Sides::of<Periodic>()}) {
+        for (const Sides& sides : test::all_sides) {
             expect_equal_nearly_everywhere(affine(advectors[0], stencils[0], 2), {grid, sides}, 2.3);
         }
     }
@@ -79,7 +80,7 @@ RC_GTEST_PROP(Lattice, EqualsThePlainFormOnAnyGrid, ()) {
     const SchemeSet schemes = affine(advectors[*rc::gen::inRange(0, 3)], stencils[*rc::gen::inRange(0, 3)],
                                      *rc::gen::inRange(1, SchemeSet::max_zeta + 1));
     const Domain domain{{*rc::gen::inRange(1, 160), *rc::gen::inRange(2, 40), 1},
-                        *rc::gen::element(Sides::of<Box>(), Sides::of<Periodic>()),
+                        test::all_sides[*rc::gen::inRange<std::size_t>(0, std::size(test::all_sides))],
                         *rc::gen::arbitrary<bool>()};
     expect_equal_nearly_everywhere(schemes, domain, *rc::gen::inRange(0, 6) * 0.7);
 }
@@ -91,18 +92,18 @@ TEST(Lattice, ServesEveryAdvector) {
         for (const auto advector : {Id<Advector>("maccormack"), Id<Advector>("bfecc")}) {
             SchemeSet schemes = affine(advector, stencils[0], 2);
             schemes.base = base;
-            expect_equal_nearly_everywhere(schemes, {{41, 33, 1}, Sides::of<Box>()}, 1.1);
+            expect_equal_nearly_everywhere(schemes, {{41, 33, 1}, sides::box}, 1.1);
         }
     }
     SchemeSet clamped = affine(advectors[0], stencils[0], 2);
     clamped.limiter = Id<Limiter>("clamp");
-    expect_equal_nearly_everywhere(clamped, {{41, 33, 1}, Sides::of<Periodic>()}, 1.1);
+    expect_equal_nearly_everywhere(clamped, {{41, 33, 1}, sides::periodic}, 1.1);
 }
 
 /// Sums of differences from the node's own value: a constant stays what it is, to the last bit.
 TEST(Lattice, KeepsAConstant) {
     for (const auto advector : advectors) {
-        Stirred from({{33, 31, 1}, Sides::of<Box>()}, 1.4);
+        Stirred from({{33, 31, 1}, sides::box}, 1.4);
         from.density.set_all(Real(0.7));
         const Moved moved = move(affine(advector, stencils[0], 3), from, {});
         for (int j = 0; j < moved[0].height(); ++j) {

@@ -8,7 +8,7 @@ namespace whorl {
 namespace {
 
 TEST(Passes, MoveAnyNumberOfFieldsAsEachAlone) {
-    const Stirred from({{40, 33, 1}, Sides::of<Box>(), true}, 1.6);
+    const Stirred from({{40, 33, 1}, sides::box, true}, 1.6);
     Pool pool(2);
     const AdvectionStep step{&from.velocity, &from.boundary, &pool, 1};
     for (std::size_t a = 0; a < Advector::list().all().size(); ++a) {
@@ -53,12 +53,12 @@ Real sampled(const Field& q, Real x, Real y) {
     at.x[0] = x;
     at.y[0] = y;
     alignas(64) Values out;
-    SampleLoop<Overshooting, x_first, clamped, false>::template run<16>(q, at, 1, out);
+    SampleLoop<Overshooting, x_first, clamped, false, false>::template run<16>(q, at, 1, out);
     return out[0];
 }
 
 TEST(SampleLoop, CallsATwoSampleSchemesOwnFunction) {
-    Field q = Boundary({4, 4, 1}, Sides::of<Box>()).field(Site::Centre);
+    Field q = Boundary({4, 4, 1}, sides::box).field(Site::Centre);
     q(1, 1) = 1;
     q(2, 1) = 2;
     q(1, 2) = 1;

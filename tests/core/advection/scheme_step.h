@@ -10,7 +10,7 @@ namespace whorl {
 
 struct Domain {
     Grid grid;
-    Sides::Id sides;
+    Sides sides;
     bool obstacle = false;
 };
 

@@ -15,16 +15,16 @@ Field numbered(const Boundary& boundary, Site site) {
 }
 
 TEST(Boundary, FaceFieldsOfABoxHaveBothWalls) {
-    const Boundary box(Grid{5, 3, 1}, Sides::of<Box>());
+    const Boundary box(Grid{5, 3, 1}, sides::box);
     EXPECT_EQ(box.field(Site::FaceX).width(), 6);
     EXPECT_EQ(box.field(Site::FaceY).height(), 4);
-    const Boundary periodic(Grid{5, 3, 1}, Sides::of<Periodic>());
+    const Boundary periodic(Grid{5, 3, 1}, sides::periodic);
     EXPECT_EQ(periodic.field(Site::FaceX).width(), 5);
     EXPECT_EQ(periodic.field(Site::FaceY).height(), 3);
 }
 
 TEST(Boundary, PeriodicGhostsAreTheOtherSide) {
-    const Boundary periodic(Grid{5, 3, 1}, Sides::of<Periodic>());
+    const Boundary periodic(Grid{5, 3, 1}, sides::periodic);
     for (const Site site : {Site::Centre, Site::FaceX, Site::FaceY}) {
         Field q = numbered(periodic, site);
         periodic.fill(q);
@@ -35,7 +35,7 @@ TEST(Boundary, PeriodicGhostsAreTheOtherSide) {
 }
 
 TEST(Boundary, BoxGhostsAreTheNearestSample) {
-    const Boundary box(Grid{5, 3, 1}, Sides::of<Box>());
+    const Boundary box(Grid{5, 3, 1}, sides::box);
     for (const Site site : {Site::Centre, Site::FaceX, Site::FaceY}) {
         Field q = numbered(box, site);
         box.fill(q);
@@ -48,7 +48,7 @@ TEST(Boundary, BoxGhostsAreTheNearestSample) {
 }
 
 TEST(Boundary, WallsAndObstaclesCloseTheirFaces) {
-    Boundary box(Grid{5, 5, 1}, Sides::of<Box>());
+    Boundary box(Grid{5, 5, 1}, sides::box);
     std::vector<std::uint8_t> mask(25, 0);
     mask[2 * 5 + 2] = 1;
     box.set_solids(mask);
@@ -69,7 +69,7 @@ TEST(Boundary, WallsAndObstaclesCloseTheirFaces) {
 }
 
 TEST(Boundary, SolidCellsTakeTheNearestFluidValueAtAnyDepth) {
-    Boundary box(Grid{9, 9, 1}, Sides::of<Box>());
+    Boundary box(Grid{9, 9, 1}, sides::box);
     std::vector<std::uint8_t> mask(81, 0);
     for (int j = 2; j < 7; ++j) {
         for (int i = 2; i < 7; ++i) mask[j * 9 + i] = 1;
@@ -89,7 +89,7 @@ TEST(Boundary, SolidCellsTakeTheNearestFluidValueAtAnyDepth) {
 
 /// Free slip: beside an obstacle the velocity along its side is the fluid's.
 TEST(Boundary, TangentialVelocitySlips) {
-    Boundary box(Grid{6, 6, 1}, Sides::of<Box>());
+    Boundary box(Grid{6, 6, 1}, sides::box);
     std::vector<std::uint8_t> mask(36, 0);
     for (int i = 0; i < 6; ++i) mask[i] = mask[6 + i] = 1;  // a floor of two rows
     box.set_solids(mask);
@@ -103,7 +103,7 @@ TEST(Boundary, TangentialVelocitySlips) {
 }
 
 TEST(Boundary, AnAllSolidDomainHoldsNoFlow) {
-    Boundary box(Grid{4, 4, 1}, Sides::of<Box>());
+    Boundary box(Grid{4, 4, 1}, sides::box);
     box.set_solids(std::vector<std::uint8_t>(16, 1));
     EXPECT_EQ(box.fluid_cells(), 0);
     FaceVelocity velocity = box.velocity();

@@ -18,7 +18,7 @@ constexpr double rounding = 1e-12 + std::numeric_limits<Real>::epsilon();
 
 constexpr double side = 6;  // length of a square domain
 
-Boundary domain(int nx, int ny = 0, Sides::Id sides = Sides::of<Box>()) {
+Boundary domain(int nx, int ny = 0, Sides sides = sides::box) {
     return {{nx, ny > 0 ? ny : nx, side / nx}, sides};
 }
 
@@ -59,8 +59,8 @@ TEST(Averager, KeepsTheIntegralOfOneRowAndOfUnlikeRatios) {
     const Field q = random_field(row);
     EXPECT_NEAR(total(averaged(q, row, coarse_row), coarse_row), total(q, row), rounding * side);
     // 3 to 2 along x, 9 to 6 along y: a domain that is not square.
-    const Boundary from({30, 45, side / 30}, Sides::of<Box>());
-    const Boundary to({20, 30, side / 20}, Sides::of<Box>());
+    const Boundary from({30, 45, side / 30}, sides::box);
+    const Boundary to({20, 30, side / 20}, sides::box);
     const Field p = random_field(from);
     EXPECT_NEAR(total(averaged(p, from, to), to), total(p, from), rounding * side * side * 1.5);
 }
@@ -128,8 +128,8 @@ TEST(Averager, CopiesBitsBetweenEqualGrids) {
 }
 
 TEST(Averager, SamplesAcrossPeriodicSides) {
-    const Boundary from = domain(4, 4, Sides::of<Periodic>());
-    const Boundary to = domain(8, 8, Sides::of<Periodic>());
+    const Boundary from = domain(4, 4, sides::periodic);
+    const Boundary to = domain(8, 8, sides::periodic);
     const Field q = random_field(from);
     const Field out = averaged(q, from, to);
     const auto along = [&](int j) { return 0.25 * q(3, j) + 0.75 * q(0, j); };

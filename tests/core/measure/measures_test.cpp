@@ -43,7 +43,7 @@ TEST(FlowMeter, AgreesWithPlainSums) {
     Pool pool(2);
     FlowMeter meter;
     const std::pair<int, int> shapes[] = {{1, 1}, {7, 5}, {8, 8}, {33, 17}, {40, 1}, {300, 210}};
-    for (const Sides::Id sides : {Sides::of<Box>(), Sides::of<Periodic>()}) {
+    for (const Sides sides : {sides::box, sides::periodic}) {
         for (const auto& [nx, ny] : shapes) {
             for (const bool obstacles : {false, true}) {
                 const Grid grid{nx, ny, 0.3};
@@ -88,7 +88,7 @@ TEST(FlowMeter, AgreesWithPlainSums) {
 }
 
 TEST(FlowMeter, GivesTheSameBitsOnEveryInstructionSet) {
-    const Boundary boundary({61, 9, 0.3}, Sides::of<Box>());
+    const Boundary boundary({61, 9, 0.3}, sides::box);
     const FaceVelocity velocity = random_velocity(boundary);
     Pool pool(1);
     const FlowSums best = FlowMeter().measure(velocity, boundary, pool);
@@ -100,7 +100,7 @@ TEST(FlowMeter, GivesTheSameBitsOnEveryInstructionSet) {
 }
 
 TEST(Errors, CountFluidCellsAlone) {
-    Boundary boundary({6, 5, 0.5}, Sides::of<Box>());
+    Boundary boundary({6, 5, 0.5}, sides::box);
     std::vector<std::uint8_t> mask(30);
     mask[2 * 6 + 3] = 1;
     boundary.set_solids(mask);

@@ -3,6 +3,7 @@
 #include <rapidcheck.h>
 
 #include "tests/core/pressure/domains.h"
+#include "tests/support/channel.h"
 
 namespace whorl::test {
 namespace {
@@ -40,10 +41,10 @@ constexpr std::pair<int, int> sizes[] = {{1, 1},   {1, 2},   {2, 1},   {1, 3},  
 
 TEST(Agreement, WithoutObstacles) {
     Pool pool(2);
-    for (const bool periodic : {false, true}) {
+    for (const Sides& sides : all_sides) {
         for (const auto& [nx, ny] : sizes) {
-            SCOPED_TRACE(testing::Message() << nx << " x " << ny << (periodic ? " periodic" : " box"));
-            expect_agreement(domain(nx, ny, periodic), 7, pool);
+            SCOPED_TRACE(testing::Message() << nx << " x " << ny << " " << name(sides));
+            expect_agreement(domain(nx, ny, sides), 7, pool);
         }
     }
 }
@@ -53,10 +54,10 @@ TEST(Agreement, HundredRandomLayouts) {
     const bool held = rc::check("solvers agree on random layouts", [&] {
         const int nx = *rc::gen::inRange(1, 49);
         const int ny = *rc::gen::inRange(1, 49);
-        const bool periodic = *rc::gen::arbitrary<bool>();
+        const Sides& sides = all_sides[*rc::gen::inRange<std::size_t>(0, std::size(all_sides))];
         const double part = *rc::gen::element(0.02, 0.1, 0.3, 0.6, 0.9);
         const auto seed = *rc::gen::arbitrary<std::uint16_t>();
-        const Boundary boundary = domain(nx, ny, periodic, specks(nx, ny, part, seed));
+        const Boundary boundary = domain(nx, ny, sides, specks(nx, ny, part, seed));
         const std::vector<double> b = random_right(boundary, seed, pool);
         const Solution reference = solve(entry("ldlt"), boundary, b, asked, pool);
         for (const PressureSolverEntry& each : pressure_solvers()) {
@@ -80,11 +81,12 @@ TEST(Agreement, WallsAndPockets) {
     for (int j = 11; j < 20; ++j) {
         for (int i = 11; i < 20; ++i) one_cell[j * 40 + i] = i != 15 || j != 15;
     }
-    for (const bool periodic : {false, true}) {
-        expect_agreement(domain(40, 30, periodic, pocket), 1, pool);
-        expect_agreement(domain(40, 30, periodic, one_cell), 2, pool);
-        expect_agreement(domain(40, 30, periodic, walls(40, 30, 6)), 3, pool);
-        expect_agreement(domain(64, 64, periodic, discs(64, 64)), 4, pool);
+    for (const Sides& sides : all_sides) {
+        SCOPED_TRACE(name(sides));
+        expect_agreement(domain(40, 30, sides, pocket), 1, pool);
+        expect_agreement(domain(40, 30, sides, one_cell), 2, pool);
+        expect_agreement(domain(40, 30, sides, walls(40, 30, 6)), 3, pool);
+        expect_agreement(domain(64, 64, sides, discs(64, 64)), 4, pool);
     }
 }
 

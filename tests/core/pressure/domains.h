@@ -13,10 +13,14 @@
 
 namespace whorl::test {
 
-inline Boundary domain(int nx, int ny, bool periodic, std::vector<std::uint8_t> solids = {}) {
-    Boundary boundary(Grid{nx, ny, 1.0 / nx}, periodic ? Sides::of<Periodic>() : Sides::of<Box>());
+inline Boundary domain(int nx, int ny, const Sides& sides, std::vector<std::uint8_t> solids = {}) {
+    Boundary boundary(Grid{nx, ny, 1.0 / nx}, sides);
     if (!solids.empty()) boundary.set_solids(std::move(solids));
     return boundary;
+}
+
+inline Boundary domain(int nx, int ny, bool periodic, std::vector<std::uint8_t> solids = {}) {
+    return domain(nx, ny, periodic ? sides::periodic : sides::box, std::move(solids));
 }
 
 /// Each cell is solid with a probability of `part`.
