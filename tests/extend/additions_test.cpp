@@ -67,6 +67,7 @@ TEST_F(Additions, AreListed) {
                                                        {"limiters", "halfway"},
                                                        {"stencils", "far-ring"},
                                                        {"weights", "cone"},
+                                                       {"sides", "channel"},
                                                        {"orders", "rough"},
                                                        {"edits", "drop"},
                                                        {"views", "kinetic"},

@@ -26,6 +26,7 @@ const Toy toys[] = {{"interpolation", "smoothstep", {"clamped=true"}},
                     {"limiter", "halfway", {"advector=maccormack"}},
                     {"stencil", "far-ring", {"advector=aslam", "zeta=3"}},
                     {"weights", "cone", {"advector=aslam"}},
+                    {"sides", "channel", {}},
                     {"advector", "running-mean", {}},
                     {"advector", "drifting-particles", {}}};
 

@@ -5,6 +5,7 @@
 #include "core/stencils/stencil_shape.h"
 #include "core/stencils/weight_kernel.h"
 #include "core/tracing/make_tracer.h"
+#include "tests/support/channel.h"
 
 namespace whorl::test {
 namespace {
@@ -55,6 +56,7 @@ constexpr StencilShape ring{
     .info{"far-ring", "Far ring", "a test", "Many particles, far out."}, .traits{}, .offsets = far_ring};
 constexpr WeightKernel cone{.info{"cone", "Cone", "a test", "Falls in a line."},
                             .weight = [](double r, double radius) { return 2 * radius - r; }};
+constexpr NamedSides channel{{"channel", "Channel", "a test", "Walls below and above."}, channel_x};
 
 }  // namespace
 
@@ -64,6 +66,7 @@ void list_toys() {
     Limiter::list().add(halfway);
     StencilShape::list().add(ring);
     WeightKernel::list().add(cone);
+    NamedSides::list().add(channel);
     Advector::list().add(running_mean);
     Advector::list().add(drifting_particles);
 }

@@ -5,8 +5,8 @@
 
 namespace whorl::test {
 
-/// Lists an interpolation, a tracer, a limiter, a stencil, weights, and two advectors with memory. Once,
-/// before the first scene.
+/// Lists an interpolation, a tracer, a limiter, a stencil, weights, sides, and two advectors with memory.
+/// Once, before the first scene.
 void list_toys();
 
 /// Advectors that remember: the mean of what each node has held, and particles with positions and values.

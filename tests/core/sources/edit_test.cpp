@@ -140,12 +140,11 @@ TEST_F(Edits, AVerbIsGoneAfterItsTest) {
 
 /// Where two fields differ is within the cells, or on their faces.
 void expect_changed_within(const Field& before, const Field& after, const CellRange& cells) {
-    const int more_i = before.site() == Site::FaceX ? 1 : 0;
-    const int more_j = before.site() == Site::FaceY ? 1 : 0;
+    const int back_i = before.site() == Site::FaceX ? 1 : 0;
+    const int back_j = before.site() == Site::FaceY ? 1 : 0;
     for (int j = 0; j < before.height(); ++j) {
         for (int i = 0; i < before.width(); ++i) {
-            const bool within = i >= cells.begin_i && i < cells.end_i + more_i && j >= cells.begin_j &&
-                                j < cells.end_j + more_j;
+            const bool within = cells.contains(i, j) || cells.contains(i - back_i, j - back_j);
             EXPECT_TRUE(within || before(i, j) == after(i, j)) << i << ", " << j;
         }
     }
@@ -176,9 +175,7 @@ TEST_F(Edits, TellWhichCellsTheyTouched) {
             before, [&](FieldId id, const Field& field) { expect_changed_within(field, state[id], cells); });
         for (int j = 0; j < scene.grid().ny; ++j) {
             for (int i = 0; i < scene.grid().nx; ++i) {
-                const bool within =
-                    i >= cells.begin_i && i < cells.end_i && j >= cells.begin_j && j < cells.end_j;
-                EXPECT_TRUE(within || !state.boundary.solid(i, j)) << i << ", " << j;
+                EXPECT_TRUE(cells.contains(i, j) || !state.boundary.solid(i, j)) << i << ", " << j;
             }
         }
     }
