@@ -32,6 +32,13 @@ std::string update_source(const SchemeSet& schemes) {
     return thesis_part(schemes.base->step->info.source);
 }
 
+/// Adds a particle to what a step's sum tells and to what is drawn.
+void add_particle(const Particle& particle, const StencilParticle& found, Sum part, NodeStep& out) {
+    out.sum.terms.push_back({offset_name(particle.offset), found.weight, found.at_node});
+    out.sum.parts.push_back(std::move(part));
+    out.drawn.particles.push_back(found);
+}
+
 /// Whether clamping an interpolation is more than its own nature.
 bool clamps(const SchemeSet& schemes) {
     return schemes.clamped && !schemes.interpolation->traits.bilinear;
@@ -126,46 +133,47 @@ void NodeStepper::interpolate(const Stepping& from, const CellPositions& at, Nod
     out.sum.cut->equation = "thesis eq. 3.8";
 }
 
-// NOLINTNEXTLINE(readability-function-size)
+NodeStepper::ParticleRow NodeStepper::sampled(const Field& q, const Departing& particle) const {
+    const std::array<const Field*, 1> fields{&q};
+    ParticleRow row{};
+    const Displacements d = displaced(particle);
+    kernels_.sample_particles(fields, particle.site, {particle.i, particle.j, 1}, d.x, d.y,
+                              {row.data(), NodeSpan::size});
+    return row;
+}
+
+std::vector<NodeStepper::SampledParticle> NodeStepper::particles(const Field& q, int i, int j,
+                                                                 Real direction) const {
+    std::vector<SampledParticle> found;
+    const auto add = [&](const Particle& particle, const Departing& start) {
+        found.push_back({&particle, start, sampled(q, start)});
+    };
+    if (lattice_) {
+        for (const Lattice::Point& point : lattice_->particles(q.site()))
+            add(point.particle, departing(point, i, j, direction));
+    } else {
+        for (const Particle& particle : stencil_.particles()) {
+            if (particle.offset == Vec2(0, 0)) continue;
+            add(particle, departing(q.site(), i, j, particle.offset, direction));
+        }
+    }
+    return found;
+}
+
 void NodeStepper::gather(const Stepping& from, int i, int j, const Departing& node, Real direction,
                          const CellPositions& at, NodeStep& out) const {
-    using Row = std::array<Real, ParticleSamples::rows * NodeSpan::size>;
     const Field& q = *from.field;
-    const std::array<const Field*, 1> fields{&q};
-    const auto carry = [&](const Departing& particle) {
-        Row row{};
-        const Displacements d = displaced(particle);
-        kernels_.sample_particles(fields, particle.site, {particle.i, particle.j, 1}, d.x, d.y,
-                                  {row.data(), NodeSpan::size});
-        return row;
-    };
-    const bool on_lattice = lattice_ && lattice_->node(q.site());
     Values first_order{};
-    if (on_lattice) {
-        first_order[0] = carry(node)[0];
+    if (lattice_ && lattice_->node(q.site())) {
+        first_order[0] = sampled(q, node)[0];
     } else {
         kernels_.sample_linear(q, at, 1, first_order);
     }
     out.first_order = first_order[0];
 
-    std::vector<Departing> starts;
-    std::vector<const Particle*> particles;
-    if (lattice_) {
-        for (const Lattice::Point& point : lattice_->particles(q.site())) {
-            starts.push_back(departing(point, i, j, direction));
-            particles.push_back(&point.particle);
-        }
-    } else {
-        for (const Particle& particle : stencil_.particles()) {
-            if (particle.offset == Vec2(0, 0)) continue;
-            starts.push_back(departing(q.site(), i, j, particle.offset, direction));
-            particles.push_back(&particle);
-        }
-    }
-    std::vector<Row> rows;
-    for (const Departing& start : starts) rows.push_back(carry(start));
+    const std::vector<SampledParticle> sampled_particles = particles(q, i, j, direction);
     std::vector<Contribution> shares;
-    for (std::size_t k = 0; k < rows.size(); ++k) shares.push_back({rows[k].data(), particles[k]});
+    for (const SampledParticle& p : sampled_particles) shares.push_back({p.row.data(), p.particle});
     Values sum{};
     kernels_.add_contributions(shares, NodeSpan::size, 1, first_order, sum);
     out.value = first_order[0] + sum[0];
@@ -175,11 +183,6 @@ void NodeStepper::gather(const Stepping& from, int i, int j, const Departing& no
     out.sum.total = number(out.value);
     out.sum.units = "x_s from the node, in cells";
     out.drawn.weight_sum = stencil_.weight_sum();
-    const auto add = [&](const Particle& particle, const StencilParticle& found, Sum part) {
-        out.sum.terms.push_back({offset_name(particle.offset), found.weight, found.at_node});
-        out.sum.parts.push_back(std::move(part));
-        out.drawn.particles.push_back(found);
-    };
     // Sums of differences need the node's own particle only as what they differ from.
     Sum own = interpolation_sum(q, from.symbol, *last_.boundary, schemes_,
                                 {at.i[0], at.j[0], at.x[0], at.y[0]}, out.first_order, out.drawn.nodes);
@@ -191,26 +194,29 @@ void NodeStepper::gather(const Stepping& from, int i, int j, const Departing& no
                                     .value = number(out.first_order),
                                     .at_node = number(out.first_order),
                                     .contribution = number(centre->weight * out.first_order)};
-        add(*centre, found, std::move(own));
+        add_particle(*centre, found, std::move(own), out);
     }
-    for (std::size_t k = 0; k < rows.size(); ++k) {
-        const Row& row = rows[k];
-        const Particle alone{particles[k]->offset, 1};
-        const Values nothing{};
-        Values carried{}, contribution{};
-        const Contribution whole{row.data(), &alone};
-        kernels_.add_contributions({&whole, 1}, NodeSpan::size, 1, nothing, carried);
-        kernels_.add_contributions({&shares[k], 1}, NodeSpan::size, 1, nothing, contribution);
-        const StencilParticle found{.path = path_of(schemes_.tracer.entry(), starts[k]),
-                                    .weight = number(particles[k]->weight),
-                                    .value = number(row[0]),
-                                    .gradient_x = number(row[NodeSpan::size]),
-                                    .gradient_y = number(row[2 * NodeSpan::size]),
-                                    .cross = number(row[3 * NodeSpan::size]),
-                                    .at_node = number(carried[0]),
-                                    .contribution = number(contribution[0])};
-        add(*particles[k], found, particle_sum(*particles[k], found));
+    for (const SampledParticle& p : sampled_particles) {
+        const StencilParticle found = told(p);
+        add_particle(*p.particle, found, particle_sum(*p.particle, found), out);
     }
+}
+
+StencilParticle NodeStepper::told(const SampledParticle& p) const {
+    const Particle alone{p.particle->offset, 1};
+    const Values nothing{};
+    Values carried{}, contribution{};
+    const Contribution whole{p.row.data(), &alone}, share{p.row.data(), p.particle};
+    kernels_.add_contributions({&whole, 1}, NodeSpan::size, 1, nothing, carried);
+    kernels_.add_contributions({&share, 1}, NodeSpan::size, 1, nothing, contribution);
+    return {.path = path_of(schemes_.tracer.entry(), p.start),
+            .weight = number(p.particle->weight),
+            .value = number(p.row[0]),
+            .gradient_x = number(p.row[NodeSpan::size]),
+            .gradient_y = number(p.row[2 * NodeSpan::size]),
+            .cross = number(p.row[3 * NodeSpan::size]),
+            .at_node = number(carried[0]),
+            .contribution = number(contribution[0])};
 }
 
 Sum NodeStepper::particle_sum(const Particle& particle, const StencilParticle& found) const {

@@ -1,7 +1,9 @@
 // One step of a base scheme at one node, taken by the solver's own kernels and written out.
 #pragma once
 
+#include <array>
 #include <optional>
+#include <vector>
 
 #include "core/advection/advection.h"
 #include "core/inspect/paths.h"
@@ -40,14 +42,26 @@ class NodeStepper {
     void limit(const Field& q, Index cell, Real first_order, Sum& sum, Real& value) const;
 
   private:
+    /// What a particle reads, as `SampleParticlesFn` writes it for one node.
+    using ParticleRow = std::array<Real, ParticleSamples::rows * NodeSpan::size>;
+    struct SampledParticle {
+        const Particle* particle;
+        Departing start;
+        ParticleRow row;
+    };
+
     Departing departing(Site site, int i, int j, Vec2 start, Real direction) const;
     Departing departing(const Lattice::Point& point, int i, int j, Real direction) const;
     Displacements displaced(const Departing& from) const;
     CellPositions located(const Field& q, const Departing& from) const;
     void draw(const Stepping& from, const Departing& node, const CellPositions& at, BaseStep& out) const;
     void interpolate(const Stepping& from, const CellPositions& at, NodeStep& out) const;
+    ParticleRow sampled(const Field& q, const Departing& particle) const;
+    /// The particles of a node's stencil but for the one at the node itself.
+    std::vector<SampledParticle> particles(const Field& q, int i, int j, Real direction) const;
     void gather(const Stepping& from, int i, int j, const Departing& node, Real direction,
                 const CellPositions& at, NodeStep& out) const;
+    StencilParticle told(const SampledParticle& particle) const;
     Sum particle_sum(const Particle& particle, const StencilParticle& found) const;
     Real limited(LimitFn by, const Field& q, Index cell, Real first_order, Real value) const;
     Cut cut(const Field& q, Index cell, Real before, Real after) const;

@@ -84,6 +84,12 @@ class Adoptions {
         if (across) return child.i % 2 == 0 ? West : East;
         return child.j % 2 == 0 ? South : North;
     }
+    /// Notes the children of the coarse cell that begins at `corner` which are not connected to its larger
+    /// part.
+    template <class X, class Y>
+    void find_strays(Cell corner, X&& open_x, Y&& open_y);
+    template <class X, class Y>
+    void find_homes(X&& open_x, Y&& open_y);
     void list();
 
     LevelShape fine_, coarse_;
@@ -94,7 +100,6 @@ class Adoptions {
 };
 
 template <class X, class Y>
-// NOLINTNEXTLINE(readability-function-size)
 void Adoptions::find(const LevelShape& fine, const LevelShape& coarse, X&& open_x, Y&& open_y) {
     clear();
     fine_ = fine;
@@ -104,44 +109,54 @@ void Adoptions::find(const LevelShape& fine, const LevelShape& coarse, X&& open_
         (fine.wraps_y && (coarse.ny <= 2 || fine.ny % 2)))
         return;
     for (int j = 0; j < fine.ny; j += 2) {
-        for (int i = 0; i < fine.nx; i += 2) {
-            const bool two_x = i + 1 < fine.nx;
-            const bool two_y = j + 1 < fine.ny;
-            const bool low = two_x && open_x(i + 1, j) > 0;
-            const bool high = two_x && two_y && open_x(i + 1, j + 1) > 0;
-            const bool left = two_y && open_y(i, j + 1) > 0;
-            const bool right = two_x && two_y && open_y(i + 1, j + 1) > 0;
-            if (low + high + left + right >= 3) continue;
-            // Children 0, 1 below and 2, 3 above; a part is known by its first child.
-            int part[4] = {0, 1, 2, 3};
-            if (low) part[1] = 0;
-            if (left) part[2] = 0;
-            if (high) part[3] = part[2];
-            if (right) part[3] = high ? part[3] : part[1];
-            if (high && right && part[1] != part[2])
-                part[1] = part[2] = part[3] = part[1] < part[2] ? part[1] : part[2];
-            const Cell cells[4] = {{i, j}, {i + 1, j}, {i, j + 1}, {i + 1, j + 1}};
-            int size[4] = {};
-            for (int k = 0; k < 4; ++k) {
-                const Cell c = cells[k];
-                if (c.i >= fine.nx || c.j >= fine.ny) continue;
-                const bool fluid = open_x(c.i, c.j) > 0 || open_x(c.i + 1, c.j) > 0 || open_y(c.i, c.j) > 0 ||
-                                   open_y(c.i, c.j + 1) > 0;
-                if (fluid) ++size[part[k]];
-            }
-            int main = 0;
-            for (int k = 1; k < 4; ++k) main = size[k] > size[main] ? k : main;
-            for (int k = 0; k < 4; ++k) {
-                if (part[k] == main || size[part[k]] == 0) continue;
-                const Cell c = cells[k];
-                if (c.i >= fine.nx || c.j >= fine.ny) continue;
-                if (meets_nearby(c, cells[main], {i, j}, open_x, open_y)) continue;
-                if (homes_.empty()) homes_.assign(static_cast<std::size_t>(fine.nx) * fine.ny, Own);
-                home(c) = Undecided;
-                strays_.push_back(c);
-            }
-        }
+        for (int i = 0; i < fine.nx; i += 2) find_strays({i, j}, open_x, open_y);
     }
+    find_homes(open_x, open_y);
+    list();
+}
+
+template <class X, class Y>
+void Adoptions::find_strays(Cell corner, X&& open_x, Y&& open_y) {
+    const int i = corner.i, j = corner.j;
+    const bool two_x = i + 1 < fine_.nx;
+    const bool two_y = j + 1 < fine_.ny;
+    const bool low = two_x && open_x(i + 1, j) > 0;
+    const bool high = two_x && two_y && open_x(i + 1, j + 1) > 0;
+    const bool left = two_y && open_y(i, j + 1) > 0;
+    const bool right = two_x && two_y && open_y(i + 1, j + 1) > 0;
+    if (low + high + left + right >= 3) return;
+    // Children 0, 1 below and 2, 3 above; a part is known by its first child.
+    int part[4] = {0, 1, 2, 3};
+    if (low) part[1] = 0;
+    if (left) part[2] = 0;
+    if (high) part[3] = part[2];
+    if (right) part[3] = high ? part[3] : part[1];
+    if (high && right && part[1] != part[2])
+        part[1] = part[2] = part[3] = part[1] < part[2] ? part[1] : part[2];
+    const Cell cells[4] = {{i, j}, {i + 1, j}, {i, j + 1}, {i + 1, j + 1}};
+    int size[4] = {};
+    for (int k = 0; k < 4; ++k) {
+        const Cell c = cells[k];
+        if (c.i >= fine_.nx || c.j >= fine_.ny) continue;
+        const bool fluid = open_x(c.i, c.j) > 0 || open_x(c.i + 1, c.j) > 0 || open_y(c.i, c.j) > 0 ||
+                           open_y(c.i, c.j + 1) > 0;
+        if (fluid) ++size[part[k]];
+    }
+    int main = 0;
+    for (int k = 1; k < 4; ++k) main = size[k] > size[main] ? k : main;
+    for (int k = 0; k < 4; ++k) {
+        if (part[k] == main || size[part[k]] == 0) continue;
+        const Cell c = cells[k];
+        if (c.i >= fine_.nx || c.j >= fine_.ny) continue;
+        if (meets_nearby(c, cells[main], corner, open_x, open_y)) continue;
+        if (homes_.empty()) homes_.assign(static_cast<std::size_t>(fine_.nx) * fine_.ny, Own);
+        home(c) = Undecided;
+        strays_.push_back(c);
+    }
+}
+
+template <class X, class Y>
+void Adoptions::find_homes(X&& open_x, Y&& open_y) {
     // Next door, if who lives there is at home; then to where the other child of the same part went.
     for (const Cell c : strays_) {
         float most = 0;
@@ -168,7 +183,6 @@ void Adoptions::find(const LevelShape& fine, const LevelShape& coarse, X&& open_
     for (const Cell c : strays_) {
         if (home(c) == Undecided) home(c) = None;
     }
-    list();
 }
 
 template <class X, class Y>

@@ -90,6 +90,9 @@ class Player {
   private:
     using Lock = std::unique_lock<std::mutex>;
     enum class Event { Stepped, Edited, Began };
+    static constexpr double rate_window = 0.5;  ///< seconds over which steps are counted
+
+    static double now();  ///< seconds
 
     void work(const std::stop_token& stop);
     // Each begins and ends with the lock held, and lets go of it while it computes.
