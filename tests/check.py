@@ -3,7 +3,7 @@
 
 usage: check.py [--all] [FILE...]    FILE: what has changed; without one, what differs from main, and what git does not know yet
 
-Of the changed files: format, clang-tidy, the order of rooms. Then the tests of their rooms and of the rooms that include them,
+Of the changed files: format, clang-tidy, the order of modules. Then the tests of their modules and of the modules that include them,
 the contracts, the short digests and the allocations. --all: every test but `long` and `window`, and clang-tidy of everything.
 """
 import argparse
@@ -33,28 +33,28 @@ def changed_files():
     return set(git("diff", "--name-only", base)) | set(git("ls-files", "--others", "--exclude-standard"))
 
 
-def room_of(file):
-    """The folder of a room: core/grid of core/grid/field.h and of tests/core/grid/field_test.cpp."""
+def module_of(file):
+    """The folder of a module: core/grid of core/grid/field.h and of tests/core/grid/field_test.cpp."""
     parts = Path(file).parts
     if parts[0] == "tests":
         parts = parts[1:]
     return "/".join(parts[:2] if parts[0] in ("core", "app") else parts[:1])
 
 
-def rooms_of(changed):
-    """The rooms of the changed files, and those that include one of them or the header of one."""
+def modules_of(changed):
+    """The modules of the changed files, and those that include one of them or the header of one."""
     headers = {re.sub(r"\.cpp$", ".h", file) for file in changed}
     pattern = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
-    rooms = {room_of(file) for file in changed}
+    modules = {module_of(file) for file in changed}
     for file in git("ls-files", "--cached", "--others", "--exclude-standard", "core", "app", "tests"):
         if file.endswith(SOURCE) and (ROOT / file).exists():
             if headers & set(pattern.findall((ROOT / file).read_text())):
-                rooms.add(room_of(file))
-    if "app/cli" in rooms or "app/main.cpp" in rooms:
-        rooms.add("e2e")
-    if any(room.startswith("core/") for room in rooms):
-        rooms |= CORE_ALWAYS
-    return rooms
+                modules.add(module_of(file))
+    if "app/cli" in modules or "app/main.cpp" in modules:
+        modules.add("e2e")
+    if any(module.startswith("core/") for module in modules):
+        modules |= CORE_ALWAYS
+    return modules
 
 
 def part(name, *command):
@@ -79,18 +79,18 @@ def check_all():
 
 def check(changed):
     sources = sorted(file for file in changed if file.endswith(SOURCE) and (ROOT / file).exists())
-    rooms = rooms_of(sources)
+    modules = modules_of(sources)
     print("check:", *(sources or ["no source file has changed"]))
     good = all([part("style", f"tests/style/{name}") for name in ("modules.py", "sizes.py")])
     if not sources:
         return good
     good &= part("style", "clang-format", "--dry-run", "-Werror", *sources)
-    programs = {PROGRAMS[room.split("/")[0]] for room in rooms if room.split("/")[0] in PROGRAMS}
+    programs = {PROGRAMS[module.split("/")[0]] for module in modules if module.split("/")[0] in PROGRAMS}
     if not programs:
         return part("build", "cmake", "--build", BUILD) and good
     if not part("build", "cmake", "--build", BUILD, "--target", *(f"whorl_{name}_tests" for name in sorted(programs))):
         return False
-    labels = "|".join(sorted(rooms))
+    labels = "|".join(sorted(modules))
     return good & ctest("--label-regex", f"^({labels})$", "--label-exclude", "^(long|window)$") & part("lint", "tests/style/lint.py", *sources)
 
 

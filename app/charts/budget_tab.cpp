@@ -41,9 +41,9 @@ void quantity_chips(PanelContext& context, const std::vector<Chart>& budgets) {
 
 std::optional<double> draw_budget(PanelContext& context, const Chart& budget, float height) {
     const Theme& theme = context.theme;
-    const SessionSnapshot& moment = context.client.session();
+    const SessionSnapshot& session = context.client.session();
     const std::size_t place = context.client.selected();
-    const LaneHistory& lane = context.history.lane(moment.ids[place]);
+    const LaneHistory& lane = context.history.lane(session.ids[place]);
     std::vector<Series> parts;
     for (auto measure = budget.curves.rbegin(); measure != budget.curves.rend(); ++measure) {
         const Plotting& plot = (*measure)->plot;
@@ -53,12 +53,12 @@ std::optional<double> draw_budget(PanelContext& context, const Chart& budget, fl
     }
     const std::string& name = context.names.name(place);
     const std::string title =
-        budget.title + " a step" + (moment.lanes.size() > 1 ? " · " + name : std::string());
+        budget.title + " a step" + (session.lanes.size() > 1 ? " · " + name : std::string());
     Plot plot;
     plot.title = title;
     plot.marker = context.measures.marker;
     plot.size = {0, height};
-    if (!is_solved(moment.lanes[place])) plot.empty_text = "the flow is given, not solved for";
+    if (!is_solved(session.lanes[place])) plot.empty_text = "the flow is given, not solved for";
     const ImVec2 low = ImGui::GetCursorScreenPos();
     context.backgrounds.add(*ImGui::GetWindowDrawList(), low,
                             {low.x + ImGui::GetContentRegionAvail().x, low.y + height}, theme.px(5),
@@ -71,10 +71,10 @@ std::optional<double> draw_budget(PanelContext& context, const Chart& budget, fl
 }
 
 std::optional<double> draw_lanes(PanelContext& context, const Chart& chart, float height) {
-    const SessionSnapshot& moment = context.client.session();
+    const SessionSnapshot& session = context.client.session();
     std::vector<Series> series;
-    for (std::size_t k = 0; k < moment.lanes.size(); ++k) {
-        const LaneHistory& lane = context.history.lane(moment.ids[k]);
+    for (std::size_t k = 0; k < session.lanes.size(); ++k) {
+        const LaneHistory& lane = context.history.lane(session.ids[k]);
         Series one{context.names.name(k), context.theme.lane(static_cast<int>(k)), lane.of(chart.first())};
         one.x = lane.steps;
         series.push_back(one);

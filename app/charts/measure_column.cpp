@@ -53,7 +53,7 @@ void figures_line(PanelContext& context) {
 /// One legend for all plots: a lane's colour and title; a click selects the lane.
 void lane_legend(PanelContext& context) {
     const Theme& theme = context.theme;
-    const SessionSnapshot& moment = context.client.session();
+    const SessionSnapshot& session = context.client.session();
     ImGui::PushFont(theme.small);
     const float side = theme.px(9);
     const float pad = theme.px(5);
@@ -61,7 +61,7 @@ void lane_legend(PanelContext& context) {
     const float left = ImGui::GetCursorScreenPos().x;
     const float right = left + ImGui::GetContentRegionAvail().x;
     ImVec2 at = ImGui::GetCursorScreenPos();
-    for (std::size_t k = 0; k < moment.lanes.size(); ++k) {
+    for (std::size_t k = 0; k < session.lanes.size(); ++k) {
         const std::string title = fitted(context.names.name(k), right - left - side - 3 * pad);
         const float width = ImGui::CalcTextSize(title.c_str()).x + side + 3 * pad;
         if (at.x > left && at.x + width > right) at = {left, at.y + height + theme.px(2)};
@@ -76,7 +76,7 @@ void lane_legend(PanelContext& context) {
         context.tooltip.item(
             theme, key,
             {context.names.name(k), "Click to select the lane: the budget and the figures above are its.", "",
-             "", moment.lanes[k].failure ? "It has stopped." : ""});
+             "", session.lanes[k].failure ? "It has stopped." : ""});
         ImDrawList& list = *ImGui::GetWindowDrawList();
         if (selected || hovered)
             list.AddRectFilled(at, {at.x + width, at.y + height}, theme.palette.frame, theme.px(4));

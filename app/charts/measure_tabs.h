@@ -23,10 +23,10 @@ void draw_table_tab(PanelContext&);
 std::optional<double> draw_on_card(PanelContext& context, const Plot& plot, std::span<const Series> series);
 
 /// What the plots tab shows up to a step, for a picture. Times are left out: they are the machine's.
-std::vector<SheetPlot> plots_of(const History& history, const SessionSnapshot& moment,
+std::vector<SheetPlot> plots_of(const History& history, const SessionSnapshot& session,
                                 const MeasureView& view);
 
 /// Whether lanes have errors: there is an exact solution, or a lane to be measured against.
-bool has_errors(const SessionSnapshot& moment);
+bool has_errors(const SessionSnapshot& session);
 
 }  // namespace whorl::app

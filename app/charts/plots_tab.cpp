@@ -19,39 +19,39 @@ struct Line {
     std::span<const float> x, y;
 };
 
-bool wanted(const Chart& chart, const SessionSnapshot& moment) {
+bool wanted(const Chart& chart, const SessionSnapshot& session) {
     switch (chart.needs()) {
         case Needs::Reference:
-            return has_errors(moment);
+            return has_errors(session);
         case Needs::LimiterMasks:
-            return std::any_of(moment.lanes.begin(), moment.lanes.end(),
+            return std::any_of(session.lanes.begin(), session.lanes.end(),
                                [](const Snapshot& lane) { return lane.limits.has_value(); });
         case Needs::SolvedFlow:
-            return std::any_of(moment.lanes.begin(), moment.lanes.end(), is_solved);
+            return std::any_of(session.lanes.begin(), session.lanes.end(), is_solved);
         case Needs::Nothing:
             break;
     }
     return true;
 }
 
-std::vector<Chart> charts_for(const SessionSnapshot& moment, const MeasureView& view) {
+std::vector<Chart> charts_for(const SessionSnapshot& session, const MeasureView& view) {
     std::vector<Chart> charts =
-        moment.lanes.size() == 1 ? charts_of(Page::Plots) : lanes_charts_of(Page::Plots, *view.norm);
-    std::erase_if(charts, [&](const Chart& chart) { return !wanted(chart, moment); });
+        session.lanes.size() == 1 ? charts_of(Page::Plots) : lanes_charts_of(Page::Plots, *view.norm);
+    std::erase_if(charts, [&](const Chart& chart) { return !wanted(chart, session); });
     return charts;
 }
 
-std::vector<Line> lines_of(const Chart& chart, const History& history, const SessionSnapshot& moment,
+std::vector<Line> lines_of(const Chart& chart, const History& history, const SessionSnapshot& session,
                            const LaneNames& names) {
     std::vector<Line> lines;
-    if (moment.lanes.size() == 1) {
-        const LaneHistory& lane = history.lane(moment.ids.front());
+    if (session.lanes.size() == 1) {
+        const LaneHistory& lane = history.lane(session.ids.front());
         for (const Measure* measure : chart.curves)
             lines.push_back({measure->label(), measure->plot.colour, lane.steps, lane.of(*measure)});
         return lines;
     }
-    for (std::size_t k = 0; k < moment.lanes.size(); ++k) {
-        const LaneHistory& lane = history.lane(moment.ids[k]);
+    for (std::size_t k = 0; k < session.lanes.size(); ++k) {
+        const LaneHistory& lane = history.lane(session.ids[k]);
         lines.push_back({names.name(k), static_cast<int>(k), lane.steps, lane.of(chart.first())});
     }
     return lines;
@@ -87,8 +87,8 @@ std::optional<Interval> range_of(const Chart& chart, const std::vector<Line>& li
 }
 
 std::optional<double> draw(PanelContext& context, const Chart& chart, float height) {
-    const SessionSnapshot& moment = context.client.session();
-    const std::vector<Line> lines = lines_of(chart, context.history, moment, context.names);
+    const SessionSnapshot& session = context.client.session();
+    const std::vector<Line> lines = lines_of(chart, context.history, session, context.names);
     std::vector<Series> series;
     for (const Line& line : lines) {
         Series one{line.label, context.theme.lane(line.colour), line.y};
@@ -99,7 +99,7 @@ std::optional<double> draw(PanelContext& context, const Chart& chart, float heig
     Plot plot;
     plot.title = chart.title;
     plot.unit = unit;
-    plot.legend = moment.lanes.size() == 1;
+    plot.legend = session.lanes.size() == 1;
     plot.log_y = chart.scale() == Scale::Logarithmic;
     plot.y_range = range_of(chart, lines);
     plot.marker = context.measures.marker;
@@ -152,9 +152,9 @@ void draw_frame_time(PanelContext& context, float height) {
 
 }  // namespace
 
-bool has_errors(const SessionSnapshot& moment) {
-    return moment.setup.reference != no_reference ||
-           experiment(moment.setup.scene.experiment).exact != nullptr;
+bool has_errors(const SessionSnapshot& session) {
+    return session.setup.reference != no_reference ||
+           experiment(session.setup.scene.experiment).exact != nullptr;
 }
 
 std::optional<double> draw_on_card(PanelContext& context, const Plot& plot, std::span<const Series> series) {
@@ -169,9 +169,9 @@ std::optional<double> draw_on_card(PanelContext& context, const Plot& plot, std:
 
 void draw_plots_tab(PanelContext& context) {
     const Theme& theme = context.theme;
-    const SessionSnapshot& moment = context.client.session();
-    if (moment.lanes.size() > 1 && has_errors(moment)) norm_chips(context);
-    const std::vector<Chart> charts = charts_for(moment, context.measures);
+    const SessionSnapshot& session = context.client.session();
+    if (session.lanes.size() > 1 && has_errors(session)) norm_chips(context);
+    const std::vector<Chart> charts = charts_for(session, context.measures);
     const float gap = ImGui::GetStyle().ItemSpacing.y;
     const float room = ImGui::GetContentRegionAvail().y / static_cast<float>(charts.size() + 1) - gap;
     const float height = std::floor(std::clamp(room, theme.px(118), theme.px(320)));
@@ -185,20 +185,20 @@ void draw_plots_tab(PanelContext& context) {
     context.measures.marker = hovered;
 }
 
-std::vector<SheetPlot> plots_of(const History& history, const SessionSnapshot& moment,
+std::vector<SheetPlot> plots_of(const History& history, const SessionSnapshot& session,
                                 const MeasureView& view) {
     LaneNames names;
-    names.update(moment.setup);
+    names.update(session.setup);
     std::vector<SheetPlot> plots;
-    for (const Chart& chart : charts_for(moment, view)) {
+    for (const Chart& chart : charts_for(session, view)) {
         if (chart.first().timing) continue;
         SheetPlot plot;
         plot.title = chart.title;
         plot.unit = chart.unit();
         plot.log_y = chart.scale() == Scale::Logarithmic;
-        for (const Line& line : lines_of(chart, history, moment, names)) {
+        for (const Line& line : lines_of(chart, history, session, names)) {
             const auto until =
-                std::upper_bound(line.x.begin(), line.x.end(), static_cast<float>(moment.step));
+                std::upper_bound(line.x.begin(), line.x.end(), static_cast<float>(session.step));
             const auto count = until - line.x.begin();
             plot.curves.push_back(
                 {line.label, line.colour, {line.x.begin(), until}, {line.y.begin(), line.y.begin() + count}});

@@ -22,20 +22,20 @@ LaneSpectrum spectrum_of(const Flow& flow, Spectrum& worker) {
 
 }  // namespace
 
-void Spectra::follow(const SessionSnapshot& moment, double now) {
+void Spectra::follow(const SessionSnapshot& session, double now) {
     if (making_.valid()) {
         if (making_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
         lanes_ = making_.get();
         step_ = asked_step_;
     }
-    if (moment.serial == asked_ || now < since_ + period) return;
-    asked_ = moment.serial;
-    asked_step_ = moment.step;
+    if (session.serial == asked_ || now < since_ + period) return;
+    asked_ = session.serial;
+    asked_step_ = session.step;
     since_ = now;
     std::vector<Flow> flows;
-    for (std::size_t k = 0; k < moment.lanes.size(); ++k) {
-        const Snapshot& s = moment.lanes[k];
-        if (s.grid().dimensions() == 2) flows.push_back({moment.ids[k], s.state.boundary, s.state.velocity});
+    for (std::size_t k = 0; k < session.lanes.size(); ++k) {
+        const Snapshot& s = session.lanes[k];
+        if (s.grid().dimensions() == 2) flows.push_back({session.ids[k], s.state.boundary, s.state.velocity});
     }
     while (workers_.size() < flows.size()) workers_.push_back(std::make_unique<Spectrum>());
     making_ = std::async(std::launch::async, [this, flows = std::move(flows)] {

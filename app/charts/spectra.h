@@ -22,7 +22,7 @@ class Spectra {
   public:
     /// Asks for the spectra of a moment, on another thread, a few times a second at most; call once a frame
     /// while they are looked at. @param now  seconds
-    void follow(const SessionSnapshot& moment, double now);
+    void follow(const SessionSnapshot& session, double now);
     /// The newest ones that are ready, and the step they are of. Lanes of one dimension have none.
     const std::vector<LaneSpectrum>& lanes() const { return lanes_; }
     long step() const { return step_; }

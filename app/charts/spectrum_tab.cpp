@@ -31,13 +31,13 @@ std::optional<Interval> range_of(const std::vector<LaneSpectrum>& lanes) {
 
 void draw_spectrum_tab(PanelContext& context) {
     const Theme& theme = context.theme;
-    const SessionSnapshot& moment = context.client.session();
+    const SessionSnapshot& session = context.client.session();
     Spectra& spectra = context.measures.spectra;
-    spectra.follow(moment, ImGui::GetTime());
+    spectra.follow(session, ImGui::GetTime());
     std::vector<Series> series;
     for (const LaneSpectrum& lane : spectra.lanes()) {
-        const auto place = std::find(moment.ids.begin(), moment.ids.end(), lane.id) - moment.ids.begin();
-        if (place == static_cast<std::ptrdiff_t>(moment.ids.size())) continue;  // it was removed
+        const auto place = std::find(session.ids.begin(), session.ids.end(), lane.id) - session.ids.begin();
+        if (place == static_cast<std::ptrdiff_t>(session.ids.size())) continue;  // it was removed
         Series one{context.names.name(static_cast<std::size_t>(place)), theme.lane(static_cast<int>(place)),
                    lane.energy};
         one.x = lane.k;
@@ -54,7 +54,7 @@ void draw_spectrum_tab(PanelContext& context) {
     plot.log_y = true;
     plot.y_range = range_of(spectra.lanes());
     plot.empty_text =
-        moment.lanes.front().grid().dimensions() == 1 ? "a line has no spectrum" : "in the making";
+        session.lanes.front().grid().dimensions() == 1 ? "a line has no spectrum" : "in the making";
     plot.size = {0, std::floor(std::min(ImGui::GetContentRegionAvail().y - theme.px(64), theme.px(460)))};
     plot.size.y = std::max(plot.size.y, theme.px(160));
     draw_on_card(context, plot, series);

@@ -183,10 +183,10 @@ void value_cell(PanelContext& context, double value, bool best) {
 }
 
 void draw_group(PanelContext& context, const Group& group) {
-    const SessionSnapshot& moment = context.client.session();
+    const SessionSnapshot& session = context.client.session();
     std::vector<Row> rows;
-    for (std::size_t k = 0; k < moment.lanes.size(); ++k)
-        rows.push_back({k, moment.lanes[k].measures, context.history.lane(moment.ids[k])});
+    for (std::size_t k = 0; k < session.lanes.size(); ++k)
+        rows.push_back({k, session.lanes[k].measures, context.history.lane(session.ids[k])});
     std::vector<const Row*> sorted;
     for (const Row& row : rows) sorted.push_back(&row);
 
@@ -209,9 +209,9 @@ void draw_group(PanelContext& context, const Group& group) {
             const Measure& measure = *group.columns[k];
             ImGui::TableSetColumnIndex(static_cast<int>(k + 1));
             const double value = row->value(measure);
-            const bool competes = rows.size() > 1 && static_cast<int>(row->place) != moment.setup.reference;
+            const bool competes = rows.size() > 1 && static_cast<int>(row->place) != session.setup.reference;
             const bool best =
-                competes && badness(measure.best, value) == best_of(measure, rows, moment.setup.reference);
+                competes && badness(measure.best, value) == best_of(measure, rows, session.setup.reference);
             value_cell(context, value, best);
         }
     }
@@ -223,19 +223,19 @@ void draw_group(PanelContext& context, const Group& group) {
 
 void draw_table_tab(PanelContext& context) {
     const Theme& theme = context.theme;
-    const SessionSnapshot& moment = context.client.session();
+    const SessionSnapshot& session = context.client.session();
     for (const Group& group : groups()) {
         const bool of_errors =
             std::all_of(group.columns.begin(), group.columns.end(),
                         [](const Measure* measure) { return measure->needs == Needs::Reference; });
-        if (of_errors && !has_errors(moment)) continue;
+        if (of_errors && !has_errors(session)) continue;
         draw_group(context, group);
     }
     ImGui::PushFont(theme.small);
     ImGui::PushTextWrapPos(0);
     text(
         theme.palette.text_dim,
-        moment.lanes.size() > 1
+        session.lanes.size() > 1
             ? "Click a head to sort, rest on it for what it means. The best of a column is marked, where one "
               "value is better than another."
             : "Add lanes to compare. Rest on a head for what it means.");

@@ -39,7 +39,7 @@ int run_experiment(const ExperimentArguments& arguments) {
         Progress progress(arguments.scene, steps);
         for (int step = 0; step <= steps; ++step) {
             if (step > 0) session.step();
-            if (!session.sound()) throw NotFinite(*session.lane(0).failure());
+            if (!session.running()) throw NotFinite(*session.lane(0).failure());
             const bool wanted = at.empty() ? step > 0 : std::find(at.begin(), at.end(), step) != at.end();
             if (csv && wanted) csv->row(columns.row(step, session.measures(0)));
             progress.at(step);

@@ -19,7 +19,7 @@ int run_explain(const ExplainArguments& arguments) {
     Session session(recording_for(arguments.scene, arguments.lanes, arguments.set), pool);
     {
         Progress progress(arguments.scene, arguments.at);
-        while (session.step_number() < arguments.at && session.sound()) {
+        while (session.step_number() < arguments.at && session.running()) {
             session.step();
             progress.at(session.step_number());
         }

@@ -141,7 +141,7 @@ std::vector<Row> parameter_rows() {
                 range += (range.empty() ? "" : " ") + std::string(choice.key);
             if (range.size() > 44) range = "see whorl list " + plural(p.key);
         } else {
-            range = p.kind == Parameter::Kind::Truth ? "true false" : p.text(p.min) + " … " + p.text(p.max);
+            range = p.kind == Parameter::Kind::Switch ? "true false" : p.text(p.min) + " … " + p.text(p.max);
         }
         rows.push_back({p.key, p.text(p.default_value()), range, p.unit.empty() ? "–" : p.unit, p.help});
     }

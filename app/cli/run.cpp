@@ -94,7 +94,7 @@ void say_summary(const std::string& scene, const Session& session) {
 
 /// Says which lanes have stopped.  @throws NotFinite if none goes on
 void check_lanes(const Session& session) {
-    for (std::size_t k = 0; k < session.lane_count() && !session.sound(); ++k) {
+    for (std::size_t k = 0; k < session.lane_count() && !session.running(); ++k) {
         if (const auto& failure = session.lane(k).failure()) throw NotFinite(*failure);
     }
 }

@@ -17,8 +17,8 @@ double median(std::vector<double> values) {
 }  // namespace
 
 RowNames::RowNames(const Recording& recording) : several_(recording.setup.lanes.size() > 1) {
-    for (const Stamped& stamped : recording.commands) {
-        const auto* arrange = std::get_if<Arrange>(&stamped.command);
+    for (const TimedCommand& timed : recording.commands) {
+        const auto* arrange = std::get_if<Arrange>(&timed.command);
         several_ = several_ || (arrange != nullptr && arrange->lanes.size() > 1);
     }
 }

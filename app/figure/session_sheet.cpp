@@ -8,7 +8,7 @@
 namespace whorl::app {
 namespace {
 
-std::string moment(const SessionSnapshot& s) {
+std::string step_and_time(const SessionSnapshot& s) {
     return "step " + std::to_string(s.step) + " · t = " + figure(s.time);
 }
 
@@ -54,7 +54,7 @@ std::string caption_of(std::span<const SessionSnapshot> rows) {
     const Scene& scene = s.setup.scene;
     text += std::to_string(scene.grid().nx) + " × " + std::to_string(scene.grid().ny) +
             " · Δt = " + figure(scene.dt);
-    return rows.size() == 1 ? text + " · " + moment(s) : text;
+    return rows.size() == 1 ? text + " · " + step_and_time(s) : text;
 }
 
 /// Which part of the domain is shown, length units.
@@ -106,7 +106,7 @@ SheetRequest sheet_of(std::span<const SessionSnapshot> rows, PictureStyle style,
         LaneNames names;
         names.update(s.setup);
         SheetRow& row = sheet.rows.emplace_back();
-        row.label = moment(s);
+        row.label = step_and_time(s);
         for (std::size_t k = 0; k < s.lanes.size(); ++k) {
             if (style.alone.value_or(k) == k)
                 row.cells.push_back(cell_of(s, k, names, row_fields, style.arrows));

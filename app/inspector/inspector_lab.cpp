@@ -53,7 +53,7 @@ void summary(const Theme& theme, const Explanation& e) {
     } else if (e.sum.cut) {
         line("sum", e.sum.total);
     }
-    if (e.sum.cut && e.sum.cut->acted()) row(theme, "limited", e.sum.value(), theme.palette.accent);
+    if (e.sum.cut && e.sum.cut->changed()) row(theme, "limited", e.sum.value(), theme.palette.accent);
 }
 
 class InspectorLab final : public Lab {
@@ -70,7 +70,7 @@ class InspectorLab final : public Lab {
         const bool another = lane.failure && lane.watched != inspection_.watched();
         if (!explanation || explanation->quantity != inspection_.node.quantity || another) {
             inspection_.pointed.reset();
-            paragraph(theme.body, theme.palette.text_dim, why_not());
+            paragraph(theme.body, theme.palette.text_dim, unsupported_reason());
             return;
         }
         const Explanation& e = *explanation;
@@ -110,7 +110,7 @@ class InspectorLab final : public Lab {
     }
 
     /// Why there is nothing to tell, and what would be.
-    std::string why_not() const {
+    std::string unsupported_reason() const {
         if (!inspection_.picked) return "Click a cell, in any lane. Shift and an arrow go to its neighbours.";
         const Snapshot& lane = run_.snapshot();
         if (lane.failure) return "The lane has stopped: its last step cannot be asked for this any more.";
@@ -170,13 +170,12 @@ class InspectorLab final : public Lab {
     void buttons(const Explanation& e) {
         const bool zooms = run_.snapshot().grid().dimensions() == 2;
         const float width = chip_width(zooms ? 2 : 1);
-        if (zooms &&
-            ui_.button(
-                "Closer", "inspector-closer", width,
-                {"Closer",
-                 "Shows the cell, its way and what is read there as large as possible. Key 0 shows the whole "
-                 "domain.",
-                 "", "", ""}))
+        if (zooms && ui_.button("Closer", "inspector-closer", width,
+                                {"Closer",
+                                 "Shows the cell, its path and what is read there as large as possible. Key "
+                                 "0 shows the whole "
+                                 "domain.",
+                                 "", "", ""}))
             inspection_.goes_closer = true;
         if (zooms) ImGui::SameLine(0, std::floor(0.5f * ImGui::GetStyle().ItemSpacing.x));
         if (!ui_.button(

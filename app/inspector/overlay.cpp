@@ -20,7 +20,7 @@ constexpr float cross_arm = 5;       // points: of the cross where the value is 
 
 /// Whether a limiter has changed a sum's value.
 bool cuts(const Sum& sum) {
-    return sum.cut && sum.cut->acted();
+    return sum.cut && sum.cut->changed();
 }
 
 /// One tile's overlay.

@@ -97,7 +97,7 @@ void draw_path_magnifier(Ui& ui, const BaseStep& step, double h) {
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::Dummy({side, side});
     ui.explain("inspector-lens",
-               {"Where the ways end",
+               {"Where the paths end",
                 "Seen close: the departure point by Euler, by midpoint, and by many small steps of a "
                 "method of fourth order, which is as good as exact.",
                 "The bar is a part of a cell", "thesis eq. 3.3–3.5", ""});
@@ -114,7 +114,7 @@ void draw_path_magnifier(Ui& ui, const BaseStep& step, double h) {
         ImGui::PopFont();
     };
     const double path = distance(step.path.start, step.path.end) / h;
-    line(theme.palette.text, *theme.small, "way: " + written(path, 3) + " cells");
+    line(theme.palette.text, *theme.small, "path: " + written(path, 3) + " cells");
     line(theme.palette.text_dim, *theme.small, "its end off the exact, in cells:");
     for (std::size_t k = 0; k + 1 < paths.size(); ++k)
         line(paths[k].colour, *theme.mono,

@@ -230,23 +230,23 @@ class SumView {
         std::string words = "D = " + written(s.D, 4) + ", " + pair("δᵢ", s.left, "δᵢ₊₁", s.right);
         if (s.D != 0) words += ", " + pair("α", s.alpha(), "β", s.beta());
         small(theme_, theme_.palette.text_dim, words);
-        if (!s.acted()) return;
+        if (!s.changed()) return;
         words = "limited to " + pair("δᵢ", s.limited_left, "δᵢ₊₁", s.limited_right);
         if (s.D != 0) words += ", " + pair("α", s.limited_alpha(), "β", s.limited_beta());
         small(theme_, theme_.palette.accent, words + "  (" + s.equation + ")");
     }
 
-    void cut(const Cut& cut) const {
+    void cut(const Clamping& cut) const {
         std::string words = cut.by + ": the enclosing nodes hold " + written(cut.low, 6) + " to " +
                             written(cut.high, 6) + "; ";
-        if (!cut.acted()) {
+        if (!cut.changed()) {
             words += "nothing to do";
         } else if (cut.first_order && cut.after == *cut.first_order) {
             words += "back to first order, " + written(cut.after, 6);
         } else {
             words += "cut to " + written(cut.after, 6);
         }
-        small(theme_, cut.acted() ? theme_.palette.accent : theme_.palette.text_dim,
+        small(theme_, cut.changed() ? theme_.palette.accent : theme_.palette.text_dim,
               words + "  (" + cut.equation + ")");
     }
 

@@ -16,7 +16,7 @@ std::string family(const SchemeSet& s) {
     return label(s.step_info());
 }
 
-std::string why_idle(std::string_view key, const SchemeSet& s, const Scene& scene) {
+std::string inactive_reason(std::string_view key, const SchemeSet& s, const Scene& scene) {
     if (key == "base" && !s.predictor_corrector()) {
         return label(s.advector.info()) +
                " is a single step: only predictor-correctors stand on a base step.";
@@ -51,7 +51,7 @@ bool carries(std::string_view key, std::string_view prefix) {
 
 }  // namespace
 
-std::string why_idle(const Parameter& p, const Scene& scene) {
+std::string inactive_reason(const Parameter& p, const Scene& scene) {
     const bool prescribed = experiment(scene.experiment).flow != nullptr;
     const auto known_flow = [&] {
         return label(experiment(scene.experiment).info) + " prescribes its flow: nothing is solved for.";
@@ -67,10 +67,10 @@ std::string why_idle(const Parameter& p, const Scene& scene) {
     const std::string_view scalars = "scalars.";
     if (carries(p.key, velocity)) {
         if (prescribed) return known_flow();
-        return why_idle(std::string_view(p.key).substr(velocity.size()), scene.velocity, scene);
+        return inactive_reason(std::string_view(p.key).substr(velocity.size()), scene.velocity, scene);
     }
     const std::string_view key = p.key;
-    return why_idle(carries(key, scalars) ? key.substr(scalars.size()) : key, scene.scalars, scene);
+    return inactive_reason(carries(key, scalars) ? key.substr(scalars.size()) : key, scene.scalars, scene);
 }
 
 }  // namespace whorl::app

@@ -8,6 +8,6 @@
 namespace whorl::app {
 
 /// Why a parameter changes nothing in this scene, one line; empty if it does.
-std::string why_idle(const Parameter& parameter, const Scene& scene);
+std::string inactive_reason(const Parameter& parameter, const Scene& scene);
 
 }  // namespace whorl::app

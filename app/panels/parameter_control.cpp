@@ -27,7 +27,7 @@ std::string detail(const Parameter& p) {
     if (p.kind == Kind::Number || p.kind == Kind::Integer) {
         line = figure(p.min) + " to " + figure(p.max) + (p.unit.empty() ? "" : " " + p.unit) + " · ";
     }
-    line += "--set " + p.key + "=" + (p.kind == Kind::Truth ? "true" : "…");
+    line += "--set " + p.key + "=" + (p.kind == Kind::Switch ? "true" : "…");
     if (p.kind == Kind::Number || p.kind == Kind::Integer) line += " · Ctrl+click to type";
     return line;
 }
@@ -134,10 +134,10 @@ void ParameterControls::number(const Parameter& p, const char* id) {
 }
 
 void ParameterControls::control(const Parameter& p) {
-    const std::string idle = why_idle(p, run_.scene());
+    const std::string idle = inactive_reason(p, run_.scene());
     const std::string id = "##" + p.key;
     ImGui::BeginDisabled(!idle.empty());
-    if (p.kind == Kind::Truth) {
+    if (p.kind == Kind::Switch) {
         const bool value = p.get(run_.scene()) != 0;
         const ImGuiStyle& style = ImGui::GetStyle();
         const float room = ImGui::CalcItemWidth() - ImGui::GetFrameHeight() - style.ItemInnerSpacing.x;
@@ -164,7 +164,7 @@ void ParameterControls::pair(const Parameter& velocity, const Parameter& scalars
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     const float half = std::floor(0.5f * (ImGui::GetContentRegionAvail().x - gap));
     const float left = ImGui::GetCursorPosX();
-    if (velocity.kind != Kind::Truth) text(ui_.theme.palette.text_dim, velocity.label);
+    if (velocity.kind != Kind::Switch) text(ui_.theme.palette.text_dim, velocity.label);
     ImGui::SetNextItemWidth(half);
     control(velocity);
     ImGui::SameLine(left + half + gap);
@@ -173,7 +173,7 @@ void ParameterControls::pair(const Parameter& velocity, const Parameter& scalars
 }
 
 void ParameterControls::row(const Parameter& p) {
-    if (p.kind != Kind::Truth) row_label(ui_.theme, p.label);
+    if (p.kind != Kind::Switch) row_label(ui_.theme, p.label);
     ImGui::SetNextItemWidth(-FLT_MIN);
     control(p);
 }

@@ -36,10 +36,10 @@ class PressurePanel final : public Panel {
         ImGui::PushFont(ui_.theme.small);
         ImGui::PushTextWrapPos(0);
         text(ui_.theme.palette.text_dim, report(m));
-        if (!m.pressure_why_not.empty()) {
+        if (!m.pressure_unsupported_reason.empty()) {
             const std::string_view chosen = pressure_solvers()[run_.scene().pressure].info.label;
             text(ui_.theme.palette.text_dim,
-                 "instead of " + std::string(chosen) + ": " + std::string(m.pressure_why_not));
+                 "instead of " + std::string(chosen) + ": " + std::string(m.pressure_unsupported_reason));
         }
         ImGui::PopTextWrapPos();
         ImGui::PopFont();

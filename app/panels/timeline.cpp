@@ -10,24 +10,24 @@ namespace whorl::app {
 namespace {
 
 std::string help_text() {
-    return "Drag to go to any step of the run; it is worked out again from moments that are kept, and stands "
+    return "Drag to go to any step of the run; it is worked out again from checkpoints, and stands "
            "paused there. What you do there replaces what came after. Keys: ← and → a step, Home and End.";
 }
 
 std::string memory_text() {
-    return "The moments kept take up to " + std::to_string(Session::moments_limit >> 20) +
+    return "Checkpoints take up to " + std::to_string(Session::checkpoints_limit >> 20) +
            " MB; when that is full, every other one goes and going back takes longer.";
 }
 
 /// What the line under the slider says, from all of it to what fits.
-std::string state_line(const SessionSnapshot& moment, std::optional<long> sought, float width) {
-    const std::string step = std::to_string(moment.step);
-    const std::string last = std::to_string(moment.last_step);
+std::string state_line(const SessionSnapshot& session, std::optional<long> target, float width) {
+    const std::string step = std::to_string(session.step);
+    const std::string last = std::to_string(session.last_step);
     std::vector<std::string> lines;
-    if (sought && *sought != moment.step) {
-        lines = {"at step " + step + ", on the way to " + std::to_string(*sought),
-                 "going to " + std::to_string(*sought)};
-    } else if (moment.step < moment.last_step) {
+    if (target && *target != session.step) {
+        lines = {"at step " + step + ", on the way to " + std::to_string(*target),
+                 "going to " + std::to_string(*target)};
+    } else if (session.step < session.last_step) {
         lines = {"step " + step + " of " + last + " · replays what was recorded",
                  "step " + step + " of " + last + " · replay", step + " / " + last};
     } else {
@@ -44,9 +44,9 @@ std::string state_line(const SessionSnapshot& moment, std::optional<long> sought
 void draw_timeline(Ui& ui, RunControl& run) {
     const Theme& theme = ui.theme;
     const Palette& palette = theme.palette;
-    const SessionSnapshot& moment = run.session();
-    const std::optional<long> sought = run.sought();
-    const long last = std::max(1L, moment.last_step);
+    const SessionSnapshot& session = run.session();
+    const std::optional<long> target = run.seek_target();
+    const long last = std::max(1L, session.last_step);
 
     const float width = ImGui::GetContentRegionAvail().x;
     const float height = theme.px(18);
@@ -62,28 +62,28 @@ void draw_timeline(Ui& ui, RunControl& run) {
     };
     if (held) {
         const float share = std::clamp((ImGui::GetIO().MousePos.x - left) / span, 0.0f, 1.0f);
-        const long to = std::lround(static_cast<double>(share) * static_cast<double>(moment.last_step));
-        if (to != sought.value_or(moment.step)) run.seek(to);
+        const long to = std::lround(static_cast<double>(share) * static_cast<double>(session.last_step));
+        if (to != target.value_or(session.step)) run.seek(to);
     }
     ui.explain("timeline", {"Timeline", help_text(), memory_text(), "", ""});
 
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float middle = std::floor(corner.y + 0.5f * height);
     const float thick = theme.px(2);
-    const float here = pixel(moment.step);
+    const float here = pixel(session.step);
     list.AddRectFilled({left, middle - thick}, {left + span, middle + thick}, palette.frame, thick);
     if (here > left)
         list.AddRectFilled({left, middle - thick}, {here, middle + thick}, faded(palette.accent, 0.75f),
                            thick);
-    if (sought && *sought != moment.step) {
-        list.AddCircle({pixel(*sought), middle}, radius - theme.px(0.5f), palette.text, 0, theme.px(1.5f));
+    if (target && *target != session.step) {
+        list.AddCircle({pixel(*target), middle}, radius - theme.px(0.5f), palette.text, 0, theme.px(1.5f));
         list.AddCircleFilled({here, middle}, theme.px(4), palette.accent);
     } else {
         list.AddCircleFilled({here, middle}, radius, held || hovered ? palette.text : palette.accent);
     }
     ImGui::PushFont(theme.small);
-    text(palette.text_dim, state_line(moment, sought, width));
-    if (!moment.complete) {
+    text(palette.text_dim, state_line(session, target, width));
+    if (!session.complete) {
         ImGui::PushTextWrapPos(0);
         text(palette.accent, "The recording is full: what is done from here on is not saved or replayed.");
         ImGui::PopTextWrapPos();

@@ -100,11 +100,11 @@ bool RunControl::arrange(Arrange arrange, std::optional<std::size_t> select) {
     return true;
 }
 
-void RunControl::load(std::string_view key, Recording recording, bool set_aside) {
+void RunControl::load(std::string_view key, Recording recording, bool stash) {
     try {
         const long step = recording.step;
-        player_.load(std::move(recording), set_aside);
-        sought_ = step;
+        player_.load(std::move(recording), stash);
+        seek_target_ = step;
         ++loads_;
         loaded_ = key;
         pending_.clear();
@@ -136,9 +136,9 @@ void RunControl::set_pace(Pace pace) {
 }
 
 void RunControl::move_by(long by) {
-    const SessionSnapshot& moment = session();
-    const long from = sought().value_or(moment.step);
-    if (by > 0 && from >= moment.last_step) {
+    const SessionSnapshot& shown = session();
+    const long from = seek_target().value_or(shown.step);
+    if (by > 0 && from >= shown.last_step) {
         step();
     } else {
         seek(std::max(0L, from + by));

@@ -27,9 +27,9 @@ class RunControl : public RunView {
     void push(Command command);
 
     /// Begins another run.
-    /// @param set_aside  as Player::load takes it
-    void load(std::string_view key, Recording recording, bool set_aside = false);
-    std::unique_ptr<SetAside> take_set_aside() { return player_.take_set_aside(); }
+    /// @param stash  as Player::load takes it
+    void load(std::string_view key, Recording recording, bool stash = false);
+    std::unique_ptr<StashedRun> take_stash() { return player_.take_stash(); }
     /// Begins another scene with the lanes that are compared now; without them, and with a notification,
     /// where they do not go with it.
     void load_scene(std::string_view key, const Scene& scene);
@@ -38,7 +38,7 @@ class RunControl : public RunView {
     void step() { player_.step_once(); }
     void seek(long step) {
         player_.seek(step);
-        sought_ = step;
+        seek_target_ = step;
     }
     /// Goes `by` steps on or back, at the last known step by stepping on.
     void move_by(long by);

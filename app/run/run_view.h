@@ -51,7 +51,7 @@ class RunView {
     Arrange arrangement() const;
 
     /// The step that session() is on its way to, if any.
-    std::optional<long> sought() const { return sought_; }
+    std::optional<long> seek_target() const { return seek_target_; }
     bool playing() const { return player_.playing(); }
     Pace pace() const { return pace_; }
     double steps_per_second() const { return player_.steps_per_second(); }
@@ -75,7 +75,7 @@ class RunView {
     Player& player_;
     const SessionSnapshot* session_ = nullptr;
     LaneNames names_;
-    std::optional<long> sought_;
+    std::optional<long> seek_target_;
     Setup setup_;
     Scene scene_;
     std::string loaded_;

@@ -28,8 +28,11 @@ void SavedRun::load_over(std::string_view name, const Recording& recording, RunC
     if (on_its_way) {
         saved_ = std::move(returning_->saved);
     } else if (own) {
-        saved_ = Entry{
-            run.loaded(), run.sought().value_or(run.session().step), run.playing(), save_view(run, view), {}};
+        saved_ = Entry{run.loaded(),
+                       run.seek_target().value_or(run.session().step),
+                       run.playing(),
+                       save_view(run, view),
+                       {}};
     }
     returning_.reset();
     run.play(false);
@@ -62,7 +65,7 @@ void SavedRun::update(RunControl& run, ViewSettings& view) {
 
 /// Takes the run from the player once it has handed it over.
 void SavedRun::take(RunControl& run) {
-    const std::unique_ptr<SetAside> before = run.take_set_aside();
+    const std::unique_ptr<StashedRun> before = run.take_stash();
     if (!before || !saved_) return;
     if (before->complete) {
         saved_->recording = std::move(before->recording);
@@ -80,7 +83,7 @@ void SavedRun::follow(RunControl& run, ViewSettings& view) {
     if (!std::exchange(returning_->begun, true)) run.seek(saved.step);
     // A view may have nothing to show before the run stands where it stood.
     restore_view(saved.view, run, view);
-    if (run.sought()) return;
+    if (run.seek_target()) return;
     run.play(saved.playing);
     returning_.reset();
 }

@@ -7,7 +7,7 @@ void SessionClient::begin_frame() {
     const std::size_t place = session_ != nullptr ? selected() : 0;
     const std::size_t before = session_ != nullptr ? other() : 0;
     // First: where nothing is sought any more, the newest snapshot shows it.
-    sought_ = player_.sought();
+    seek_target_ = player_.seek_target();
     session_ = &player_.newest();
     if (session_->run != run) {
         // Another run numbers its lanes anew: what was selected stays by its place.
@@ -17,8 +17,8 @@ void SessionClient::begin_frame() {
         selected_id_ = id_at(place);
         previous_id_ = id_at(before);
     }
-    if (std::string complaint = player_.take_complaint(); !complaint.empty()) {
-        notifications_.warn(std::move(complaint));
+    if (std::string error = player_.take_error(); !error.empty()) {
+        notifications_.warn(std::move(error));
     }
     if (to_select_ && to_select_->first <= session_->taken) {
         if (to_select_->second < session_->ids.size()) select_id(session_->ids[to_select_->second]);

@@ -101,7 +101,7 @@ void LessonPlayer::update() {
     if (lesson_ == nullptr || !left_ || !begun()) return;
     // A view may have nothing to show before the step's moment.
     look(step(), run_, view_);
-    if (!run_.sought()) left_.reset();
+    if (!run_.seek_target()) left_.reset();
 }
 
 }  // namespace whorl::app

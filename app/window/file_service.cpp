@@ -67,7 +67,7 @@ void FileService::take_requests() {
     if (files.make_film && !film_.busy()) pending_.film = files.make_film;
     files.make_film.reset();
     if (saving_ || (!pending_.picture && !pending_.run && !pending_.film)) return;
-    if (run_.sought()) return;  // it is about the step that is on its way
+    if (run_.seek_target()) return;  // it is about the step that is on its way
     saving_ = true;
     run_.save();
 }
@@ -95,10 +95,10 @@ void FileService::take_picture(Saved saved) {
     try {
         auto painting = std::make_unique<Painting>();
         painting->saved = std::move(saved);
-        const SessionSnapshot& moment = painting->saved.snapshot;
+        const SessionSnapshot& session = painting->saved.snapshot;
         std::vector<SheetPlot> plots;
-        if (services_.files.picture.plots) plots = plots_of(services_.history, moment, measures_);
-        painting->sheet = sheet_of({&moment, 1}, style_of(services_, std::move(plots)), painting->fields);
+        if (services_.files.picture.plots) plots = plots_of(services_.history, session, measures_);
+        painting->sheet = sheet_of({&session, 1}, style_of(services_, std::move(plots)), painting->fields);
         paintings_.push_back(std::move(painting));
     } catch (const std::exception& e) {
         warn_no_picture(services_.ui, e);
@@ -139,10 +139,10 @@ void FileService::save_run(Recording recording) {
 }
 
 void FileService::save_plots() {
-    const SessionSnapshot& moment = run_.session();
+    const SessionSnapshot& session = run_.session();
     std::vector<CsvLane> lanes;
-    for (std::size_t k = 0; k < moment.lanes.size(); ++k)
-        lanes.push_back({run_.names().name(k), services_.history.lane(moment.ids[k])});
+    for (std::size_t k = 0; k < session.lanes.size(); ++k)
+        lanes.push_back({run_.names().name(k), services_.history.lane(session.ids[k])});
     background_tasks_.add({"csv", "Plots written to ", "Plots not saved: ", [lanes = std::move(lanes)] {
                                const auto path = numbered_path(".csv");
                                write_whole_file(path, plots_csv(lanes));

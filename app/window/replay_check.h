@@ -19,16 +19,16 @@ class ReplayCheck {
 
     /// @param loaded  what was loaded last
     /// @return once, when the recorded step is reached: whether the bits are the recorded ones
-    std::optional<bool> follow(const SessionSnapshot& moment, const std::string& loaded) {
-        if (!expected_ || moment.run < expected_->run) return {};
-        if (!expected_->taken) expected_->taken = moment.taken;
+    std::optional<bool> follow(const SessionSnapshot& session, const std::string& loaded) {
+        if (!expected_ || session.run < expected_->run) return {};
+        if (!expected_->taken) expected_->taken = session.taken;
         // Someone else's run, or a person has acted in it.
-        if (moment.run > expected_->run || loaded != expected_->name || moment.taken != *expected_->taken) {
+        if (session.run > expected_->run || loaded != expected_->name || session.taken != *expected_->taken) {
             expected_.reset();
             return {};
         }
-        if (moment.step != expected_->step) return {};
-        const bool same = moment.digest() == expected_->digest;
+        if (session.step != expected_->step) return {};
+        const bool same = session.digest() == expected_->digest;
         expected_.reset();
         return same;
     }

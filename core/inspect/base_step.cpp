@@ -57,11 +57,11 @@ NodeStepper::NodeStepper(const SchemeSet& schemes, const LastAdvection& last)
       lattice_(schemes.affine() ? Lattice::of(stencil_.particles()) : std::nullopt),
       dt_(static_cast<Real>(last.setup.dt / last.boundary->grid().h)) {}
 
-NodeStep NodeStepper::step(const Stepping& from, int i, int j, Real direction) const {
+NodeStep NodeStepper::step(const NamedField& from, int i, int j, Real direction) const {
     const Field& q = *from.field;
     const auto& point = lattice_ ? lattice_->node(q.site()) : std::nullopt;
-    const Departing node =
-        point ? departing(*point, i, j, direction) : departing(q.site(), i, j, Vec2(0, 0), direction);
+    const TraceStart node =
+        point ? trace_start(*point, i, j, direction) : trace_start(q.site(), i, j, Vec2(0, 0), direction);
     const CellPositions at = located(q, node);
     NodeStep out;
     out.cell = at.at[0];
@@ -74,29 +74,29 @@ NodeStep NodeStepper::step(const Stepping& from, int i, int j, Real direction) c
     return out;
 }
 
-Departing NodeStepper::departing(Site site, int i, int j, Vec2 start, Real direction) const {
+TraceStart NodeStepper::trace_start(Site site, int i, int j, Vec2 start, Real direction) const {
     return {last_.velocity, last_.boundary, site, i, j, start, direction * dt_};
 }
 
-Departing NodeStepper::departing(const Lattice::Point& point, int i, int j, Real direction) const {
+TraceStart NodeStepper::trace_start(const Lattice::Point& point, int i, int j, Real direction) const {
     const Lattice::Origin origin = lattice_->origin(point);
-    return departing(Site::Centre, i + origin.i, j + origin.j, origin.start, direction);
+    return trace_start(Site::Centre, i + origin.i, j + origin.j, origin.start, direction);
 }
 
-Displacements NodeStepper::displaced(const Departing& from) const {
+Displacements NodeStepper::displaced(const TraceStart& from) const {
     Displacements d{};
     kernels_.trace({from.velocity, from.site}, {from.i, from.j, 1}, from.start, from.dt, d.x, d.y);
     return d;
 }
 
-CellPositions NodeStepper::located(const Field& q, const Departing& from) const {
+CellPositions NodeStepper::located(const Field& q, const TraceStart& from) const {
     const Displacements d = displaced(from);
     CellPositions places{};
     kernels_.locate(q, from.site, {from.i, from.j, 1}, d.x, d.y, places);
     return places;
 }
 
-void NodeStepper::draw(const Stepping& from, const Departing& node, const CellPositions& at,
+void NodeStepper::draw(const NamedField& from, const TraceStart& node, const CellPositions& at,
                        BaseStep& out) const {
     const Field& q = *from.field;
     const Grid& grid = last_.boundary->grid();
@@ -117,7 +117,7 @@ void NodeStepper::draw(const Stepping& from, const Departing& node, const CellPo
     }
 }
 
-void NodeStepper::interpolate(const Stepping& from, const CellPositions& at, NodeStep& out) const {
+void NodeStepper::interpolate(const NamedField& from, const CellPositions& at, NodeStep& out) const {
     const Field& q = *from.field;
     Values value{};
     unclamped_(q, at, 1, value);
@@ -133,7 +133,7 @@ void NodeStepper::interpolate(const Stepping& from, const CellPositions& at, Nod
     out.sum.cut->equation = "thesis eq. 3.8";
 }
 
-NodeStepper::ParticleRow NodeStepper::sampled(const Field& q, const Departing& particle) const {
+NodeStepper::ParticleRow NodeStepper::sampled(const Field& q, const TraceStart& particle) const {
     const std::array<const Field*, 1> fields{&q};
     ParticleRow row{};
     const Displacements d = displaced(particle);
@@ -145,22 +145,22 @@ NodeStepper::ParticleRow NodeStepper::sampled(const Field& q, const Departing& p
 std::vector<NodeStepper::SampledParticle> NodeStepper::particles(const Field& q, int i, int j,
                                                                  Real direction) const {
     std::vector<SampledParticle> found;
-    const auto add = [&](const Particle& particle, const Departing& start) {
+    const auto add = [&](const Particle& particle, const TraceStart& start) {
         found.push_back({&particle, start, sampled(q, start)});
     };
     if (lattice_) {
         for (const Lattice::Point& point : lattice_->particles(q.site()))
-            add(point.particle, departing(point, i, j, direction));
+            add(point.particle, trace_start(point, i, j, direction));
     } else {
         for (const Particle& particle : stencil_.particles()) {
             if (particle.offset == Vec2(0, 0)) continue;
-            add(particle, departing(q.site(), i, j, particle.offset, direction));
+            add(particle, trace_start(q.site(), i, j, particle.offset, direction));
         }
     }
     return found;
 }
 
-void NodeStepper::gather(const Stepping& from, int i, int j, const Departing& node, Real direction,
+void NodeStepper::gather(const NamedField& from, int i, int j, const TraceStart& node, Real direction,
                          const CellPositions& at, NodeStep& out) const {
     const Field& q = *from.field;
     Values first_order{};
@@ -250,10 +250,10 @@ Real NodeStepper::limited(LimitFn by, const Field& q, Index cell, Real first_ord
     return values[0];
 }
 
-Cut NodeStepper::cut(const Field& q, Index cell, Real before, Real after) const {
+Clamping NodeStepper::cut(const Field& q, Index cell, Real before, Real after) const {
     // What is beyond all numbers is clamped to the bounds.
     constexpr Real most = std::numeric_limits<Real>::max();
-    Cut cut;
+    Clamping cut;
     cut.low = number(limited(clamp_, q, cell, 0, -most));
     cut.high = number(limited(clamp_, q, cell, 0, most));
     cut.before = number(before);

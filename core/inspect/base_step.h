@@ -11,7 +11,7 @@
 namespace whorl {
 
 /// A field that is stepped, and what it is called.
-struct Stepping {
+struct NamedField {
     const Field* field;
     std::string symbol;
 };
@@ -34,7 +34,7 @@ class NodeStepper {
 
     /// One step, unlimited but for clamped interpolation.
     /// @param direction −1 traces forward
-    NodeStep step(const Stepping& from, int i, int j, Real direction) const;
+    NodeStep step(const NamedField& from, int i, int j, Real direction) const;
     /// Limits a step as a predictor-corrector limits its base steps.
     void limit_base(const Field& q, NodeStep& step) const;
     /// Limits a value as the whole scheme does, if it does.
@@ -46,25 +46,25 @@ class NodeStepper {
     using ParticleRow = std::array<Real, ParticleSamples::rows * NodeSpan::size>;
     struct SampledParticle {
         const Particle* particle;
-        Departing start;
+        TraceStart start;
         ParticleRow row;
     };
 
-    Departing departing(Site site, int i, int j, Vec2 start, Real direction) const;
-    Departing departing(const Lattice::Point& point, int i, int j, Real direction) const;
-    Displacements displaced(const Departing& from) const;
-    CellPositions located(const Field& q, const Departing& from) const;
-    void draw(const Stepping& from, const Departing& node, const CellPositions& at, BaseStep& out) const;
-    void interpolate(const Stepping& from, const CellPositions& at, NodeStep& out) const;
-    ParticleRow sampled(const Field& q, const Departing& particle) const;
+    TraceStart trace_start(Site site, int i, int j, Vec2 start, Real direction) const;
+    TraceStart trace_start(const Lattice::Point& point, int i, int j, Real direction) const;
+    Displacements displaced(const TraceStart& from) const;
+    CellPositions located(const Field& q, const TraceStart& from) const;
+    void draw(const NamedField& from, const TraceStart& node, const CellPositions& at, BaseStep& out) const;
+    void interpolate(const NamedField& from, const CellPositions& at, NodeStep& out) const;
+    ParticleRow sampled(const Field& q, const TraceStart& particle) const;
     /// The particles of a node's stencil but for the one at the node itself.
     std::vector<SampledParticle> particles(const Field& q, int i, int j, Real direction) const;
-    void gather(const Stepping& from, int i, int j, const Departing& node, Real direction,
+    void gather(const NamedField& from, int i, int j, const TraceStart& node, Real direction,
                 const CellPositions& at, NodeStep& out) const;
     StencilParticle told(const SampledParticle& particle) const;
     Sum particle_sum(const Particle& particle, const StencilParticle& found) const;
     Real limited(LimitFn by, const Field& q, Index cell, Real first_order, Real value) const;
-    Cut cut(const Field& q, Index cell, Real before, Real after) const;
+    Clamping cut(const Field& q, Index cell, Real before, Real after) const;
 
     SchemeSet schemes_;
     const LastAdvection& last_;

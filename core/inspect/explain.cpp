@@ -11,7 +11,7 @@ namespace whorl {
 namespace {
 
 bool acted(const Sum& sum) {
-    return (sum.cut && sum.cut->acted()) || std::any_of(sum.parts.begin(), sum.parts.end(), acted);
+    return (sum.cut && sum.cut->changed()) || std::any_of(sum.parts.begin(), sum.parts.end(), acted);
 }
 
 }  // namespace

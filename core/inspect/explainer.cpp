@@ -10,14 +10,14 @@ Explainer::Explainer(const LastAdvection& last, FieldId quantity, Pool& pool, Ex
       pool_(pool),
       out_(out) {}
 
-NodeStep Explainer::step(const Stepping& from, Real direction, const char* title) {
+NodeStep Explainer::step(const NamedField& from, Real direction, const char* title) {
     NodeStep step = stepper_.step(from, out_.of_i, out_.of_j, direction);
     step.drawn.title = title;
     out_.steps.push_back(step.drawn);
     return step;
 }
 
-NodeStep Explainer::base_step(const Stepping& from, Real direction, const char* title) {
+NodeStep Explainer::base_step(const NamedField& from, Real direction, const char* title) {
     NodeStep base = step(from, direction, title);
     stepper_.limit_base(*from.field, base);
     return base;

@@ -16,16 +16,16 @@ class Explainer {
     Explainer(const LastAdvection& last, FieldId quantity, Pool& pool, Explanation& out);
 
     const SchemeSet& schemes() const { return schemes_; }
-    const Stepping& q() const { return q_; }
+    const NamedField& q() const { return q_; }
     const NodeStepper& stepper() const { return stepper_; }
     Explanation& out() { return out_; }
     /// "ρ forward"
     std::string name(const char* which) const { return q_.symbol + " " + which; }
 
     /// A step of a field at the node, which is drawn under a title.
-    NodeStep step(const Stepping& from, Real direction, const char* title);
+    NodeStep step(const NamedField& from, Real direction, const char* title);
     /// The same, limited as base steps are.
-    NodeStep base_step(const Stepping& from, Real direction, const char* title);
+    NodeStep base_step(const NamedField& from, Real direction, const char* title);
     /// The whole field as the scheme moves it without its limiter; what it leaves on its way is then in the
     /// advection's workspace.
     Field unlimited(Advection& advection);
@@ -33,7 +33,7 @@ class Explainer {
   private:
     const LastAdvection& last_;
     SchemeSet schemes_;
-    Stepping q_;
+    NamedField q_;
     NodeStepper stepper_;
     Pool& pool_;
     Explanation& out_;

@@ -33,17 +33,17 @@ struct CubicSlopes {
     double beta() const { return right / D; }
     double limited_alpha() const { return limited_left / D; }
     double limited_beta() const { return limited_right / D; }
-    bool acted() const { return left != limited_left || right != limited_right; }
+    bool changed() const { return left != limited_left || right != limited_right; }
 };
 
 /// What a limiter made of a value.
-struct Cut {
+struct Clamping {
     std::string by, equation;
     double low = 0, high = 0;           ///< of the enclosing nodes
     std::optional<double> first_order;  ///< what stands by, where a limiter may fall back on it
     double before = 0, after = 0;
 
-    bool acted() const { return before != after; }
+    bool changed() const { return before != after; }
 };
 
 /// A value written out. Its terms add up to `total`, to rounding.
@@ -54,13 +54,13 @@ struct Sum {
     double total = 0;     ///< as the solver rounds it
     std::string units{};  ///< of labels, weights and values, where they are not all those of the field
     std::optional<CubicSlopes> slopes{};
-    std::optional<Cut> cut{};
+    std::optional<Clamping> cut{};
     std::vector<Sum> parts{};  ///< where values of terms come from
 
     double value() const { return cut ? cut->after : total; }
 };
 
-/// A way along the frozen flow, in length units. Periodic ways are not wrapped.
+/// A path along the frozen flow, in length units. Periodic ones are not wrapped.
 struct Path {
     /// Where a tracer asked for the velocity, and what it was told.
     struct Stage {
@@ -95,7 +95,7 @@ struct BaseStep {
     std::string title;
     Path path;                     ///< of the node, by the scheme's tracer
     Path euler, midpoint;          ///< to compare
-    std::vector<WorldPoint> fine;  ///< the same way in many small steps: as good as exact
+    std::vector<WorldPoint> fine;  ///< the same path in many small steps: as good as exact
     /// The place that is read: the departure point, wrapped or brought back to where values are.
     WorldPoint read{};
     int i = 0, j = 0;                       ///< of the sample below and to the left of it
@@ -106,7 +106,7 @@ struct BaseStep {
     double weight_sum = 1;  ///< of the particles' weights before they were normalised
 };
 
-/// The way of a predictor-corrector.  [T alg 3.2, 3.3]
+/// The steps of a predictor-corrector.  [T alg 3.2, 3.3]
 struct Correction {
     double start;    ///< qⁿ
     double forward;  ///< q̂ⁿ⁺¹

@@ -9,18 +9,18 @@ namespace {
 
 constexpr int fine_steps = 64;
 
-WorldPoint world(const Departing& from, double x, double y) {
+WorldPoint world(const TraceStart& from, double x, double y) {
     const double h = from.boundary->grid().h;
     return {(from.i + offset_x(from.site) + x) * h, (from.j + offset_y(from.site) + y) * h};
 }
 
-WorldPoint world(const Departing& from, Vec2 at) {
+WorldPoint world(const TraceStart& from, Vec2 at) {
     return world(from, static_cast<double>(at.x), static_cast<double>(at.y));
 }
 
 }  // namespace
 
-Path path_of(const Tracer& tracer, const Departing& from) {
+Path path_of(const Tracer& tracer, const TraceStart& from) {
     const TracedPath traced = tracer.follow({from.velocity, from.site}, from.boundary->wraps(), from.i,
                                             from.j, from.start, from.dt);
     Path path;
@@ -33,7 +33,7 @@ Path path_of(const Tracer& tracer, const Departing& from) {
     return path;
 }
 
-std::vector<WorldPoint> fine_path(const Departing& from) {
+std::vector<WorldPoint> fine_path(const TraceStart& from) {
     const TraceFn trace = rk4.trace(from.boundary->wraps(), best_isa());
     std::vector<WorldPoint> points;
     Vec2 at = from.start;

@@ -1,4 +1,4 @@
-// The ways that points take back along the flow.
+// The paths of points back along the flow.
 #pragma once
 
 #include "core/inspect/explanation.h"
@@ -6,7 +6,7 @@
 namespace whorl {
 
 /// A point near a node, and the flow that carries it.
-struct Departing {
+struct TraceStart {
     const FaceVelocity* velocity;
     const Boundary* boundary;
     Site site;
@@ -16,9 +16,9 @@ struct Departing {
 };
 
 /// By a scheme's own tracer.
-Path path_of(const Tracer& tracer, const Departing& from);
+Path path_of(const Tracer& tracer, const TraceStart& from);
 
 /// In many small steps of Runge and Kutta's.
-std::vector<WorldPoint> fine_path(const Departing& from);
+std::vector<WorldPoint> fine_path(const TraceStart& from);
 
 }  // namespace whorl

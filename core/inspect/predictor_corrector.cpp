@@ -19,7 +19,7 @@ CorrectorExplainer::CorrectorExplainer(Explainer& e)
 
 void CorrectorExplainer::finish(std::string_view equation, std::vector<Term> terms, std::vector<Sum> later) {
     const std::string source = thesis_part(explainer.schemes().advector.info().source);
-    const Stepping& q = explainer.q();
+    const NamedField& q = explainer.q();
     Sum error{.title = "error e",
               .equation = source + ", step 3",
               .terms = {{explainer.name("back"), 0.5, static_cast<double>(back.value)},

@@ -5,7 +5,7 @@ namespace whorl {
 namespace {
 
 void explain(Explainer& explainer) {
-    const Stepping& q = explainer.q();
+    const NamedField& q = explainer.q();
     NodeStep forward = explainer.step(q, 1, "back along the flow");
     if (explainer.schemes().advector->traits.limited) {
         explainer.stepper().limit(*q.field, forward.cell, forward.first_order, forward.sum, forward.value);

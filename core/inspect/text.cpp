@@ -98,17 +98,17 @@ class Writer {
     void write(const CubicSlopes& s, int depth) {
         line(depth, "D = " + number(s.D) + ", δᵢ = " + number(s.left) + ", δᵢ₊₁ = " + number(s.right) +
                         (s.D != 0 ? ", α = " + number(s.alpha()) + ", β = " + number(s.beta()) : ""));
-        if (!s.acted()) return;
+        if (!s.changed()) return;
         line(depth, "limited: δᵢ = " + number(s.limited_left) + ", δᵢ₊₁ = " + number(s.limited_right) +
                         (s.D != 0 ? ", α = " + number(s.limited_alpha()) + ", β = " + number(s.limited_beta())
                                   : "") +
                         "  [" + s.equation + "]");
     }
 
-    void write(const Cut& cut, int depth) {
+    void write(const Clamping& cut, int depth) {
         std::string words =
             cut.by + ": the enclosing nodes hold " + number(cut.low) + " … " + number(cut.high) + "; ";
-        if (!cut.acted()) {
+        if (!cut.changed()) {
             words += "nothing to do";
         } else if (cut.first_order && cut.after == *cut.first_order) {
             words += "back to first order, " + number(cut.after);

@@ -113,7 +113,7 @@ Command read_command(Words& words, std::span<const Arrange> arrangements) {
 
 }  // namespace
 
-std::string write_commands(std::span<const Stamped> commands, std::vector<Arrange>& arrangements) {
+std::string write_commands(std::span<const TimedCommand> commands, std::vector<Arrange>& arrangements) {
     std::string text;
     for (const auto& [step, command] : commands) {
         text += std::to_string(step) + ' ';
@@ -130,8 +130,8 @@ std::string write_commands(std::span<const Stamped> commands, std::vector<Arrang
     return text;
 }
 
-std::vector<Stamped> read_commands(std::string_view text, std::span<const Arrange> arrangements) {
-    std::vector<Stamped> commands;
+std::vector<TimedCommand> read_commands(std::string_view text, std::span<const Arrange> arrangements) {
+    std::vector<TimedCommand> commands;
     for (std::size_t line = 1; !text.empty(); ++line) {
         const std::size_t end = std::min(text.find('\n'), text.size());
         const std::string_view row = text.substr(0, end);

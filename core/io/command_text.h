@@ -10,11 +10,11 @@
 namespace whorl {
 
 /// A line a command. Arrangements are written as their index, and appended to `arrangements`.
-std::string write_commands(std::span<const Stamped> commands, std::vector<Arrange>& arrangements);
+std::string write_commands(std::span<const TimedCommand> commands, std::vector<Arrange>& arrangements);
 
 /// Reads what write_commands wrote.
 /// @param arrangements  what `lanes K` refers to
 /// @throws InputError `command LINE: reason`
-std::vector<Stamped> read_commands(std::string_view text, std::span<const Arrange> arrangements);
+std::vector<TimedCommand> read_commands(std::string_view text, std::span<const Arrange> arrangements);
 
 }  // namespace whorl

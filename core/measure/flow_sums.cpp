@@ -47,9 +47,9 @@ struct AddCellsLoop {
 
 }  // namespace
 
-FlowMeter::FlowMeter(Isa isa) : add_cells_(PerIsa<AddCells, AddCellsLoop>::pick(isa)) {}
+FlowReducer::FlowReducer(Isa isa) : add_cells_(PerIsa<AddCells, AddCellsLoop>::pick(isa)) {}
 
-FlowSums FlowMeter::measure(const FaceVelocity& velocity, const Boundary& boundary, Pool& pool) {
+FlowSums FlowReducer::measure(const FaceVelocity& velocity, const Boundary& boundary, Pool& pool) {
     const Grid& grid = boundary.grid();
     const Real quarter_over_h = static_cast<Real>(0.25 / grid.h);
     rows_.resize(static_cast<std::size_t>(grid.ny));

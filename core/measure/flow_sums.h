@@ -27,9 +27,9 @@ struct FlowSums {
 
 /// Measures flows; keeps its sums of rows, which are added up in order, so that threads do not change the
 /// result.
-class FlowMeter {
+class FlowReducer {
   public:
-    explicit FlowMeter(Isa isa = best_isa());
+    explicit FlowReducer(Isa isa = best_isa());
 
     /// @param velocity ghosts filled
     FlowSums measure(const FaceVelocity& velocity, const Boundary& boundary, Pool& pool);

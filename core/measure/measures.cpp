@@ -78,7 +78,7 @@ void Measures::add(std::string_view phase, const PhaseShare& did) {
     found->second.enstrophy += did.enstrophy;
 }
 
-void Meter::measure(const State& state, const FlowSums& flow, double dt, Pool& pool, Measures& out) {
+void StateReducer::measure(const State& state, const FlowSums& flow, double dt, Pool& pool, Measures& out) {
     const Grid& grid = state.grid();
     const Boundary& boundary = state.boundary;
     rows_.resize(static_cast<std::size_t>(grid.ny));

@@ -48,12 +48,13 @@ struct Measures {
     double min_density = 0, max_density = 0;
     double cfl = 0;  ///< |u|max Δt / h
     Errors errors;
-    LimiterCounts limited;              ///< by the last step
-    double step_ms = 0;                 ///< that the last step took, ms
-    std::string_view pressure_why_not;  ///< why another pressure solver than the chosen one acted, or empty
-    SolveReport pressure;          ///< of the last projection; its solver's key is empty if there was none
-    double removed_mean = 0;       ///< divergence taken out of a closed component, 1/time
-    std::vector<Reduced> reduced;  ///< what was asked for beside all that
+    LimiterCounts limited;  ///< by the last step
+    double step_ms = 0;     ///< that the last step took, ms
+    std::string_view
+        pressure_unsupported_reason;  ///< why another pressure solver than the chosen one acted, or empty
+    SolveReport pressure;             ///< of the last projection; its solver's key is empty if there was none
+    double removed_mean = 0;          ///< divergence taken out of a closed component, 1/time
+    std::vector<Reduced> reduced;     ///< what was asked for beside all that
 
     /// The phases of the last step by their keys, in order; at the start they have done nothing.
     std::vector<std::pair<std::string_view, PhaseShare>> phases;
@@ -79,7 +80,7 @@ struct RowSums {
 };
 
 /// Measures states; keeps its scratch from step to step.
-class Meter {
+class StateReducer {
   public:
     /// Kinetic energy and enstrophy. @param velocity ghosts filled
     FlowSums flow(const FaceVelocity& velocity, const Boundary& boundary, Pool& pool) {
@@ -91,7 +92,7 @@ class Meter {
     bool finite() const { return finite_; }
 
   private:
-    FlowMeter flow_;
+    FlowReducer flow_;
     std::vector<RowSums> rows_;
     bool finite_ = true;
 };

@@ -14,7 +14,7 @@ void run(const StepContext& c) {
         report.largest_speed > 0 ? report.divergence_after * c.state.grid().h / report.largest_speed : 0;
     m.pressure = report.solve;
     m.pressure.solver = report.solver;
-    m.pressure_why_not = report.why_not;
+    m.pressure_unsupported_reason = report.unsupported_reason;
     m.removed_mean = report.removed_mean;
 }
 

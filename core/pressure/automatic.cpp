@@ -8,7 +8,7 @@ namespace whorl {
 void Automatic::prepare(const Boundary& boundary, Pool& pool) {
     const Grid& grid = boundary.grid();
     const bool direct =
-        grid.nx + grid.ny < diagonalization_ends && Diagonalization::refuses(boundary).empty();
+        grid.nx + grid.ny < diagonalization_ends && Diagonalization::unsupported_reason(boundary).empty();
     if (direct) {
         if (!diagonalization_) diagonalization_ = std::make_unique<Diagonalization>();
         chosen_ = diagonalization_.get();

@@ -47,7 +47,7 @@ void smoothed_residual(const CoarseRow& row, const float* __restrict b, const fl
 }
 
 WHORL_VECTOR_CLONES
-void gather(const Leaning& lean, const float* __restrict below, const float* __restrict low,
+void gather(const CornerWeights& lean, const float* __restrict below, const float* __restrict low,
             const float* __restrict high, const float* __restrict above, float* __restrict out, int n) {
     const float* __restrict lx = lean.across;
     const float* __restrict ls = lean.south;

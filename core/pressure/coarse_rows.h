@@ -24,7 +24,7 @@ void smoothed_residual(const CoarseRow& row, const float* b, const float* south,
 
 /// How much a cell's value leans towards its neighbours' when it is carried to its four children: ¼ across an
 /// open face, 0 across a closed one. Each child adds one such term in x and one in y.
-struct Leaning {
+struct CornerWeights {
     const float* across;  ///< n + 1
     const float* south;   ///< n
     const float* north;   ///< n
@@ -35,8 +35,8 @@ struct Leaning {
 /// @param low   the lower children; `high` the upper ones
 /// @param out   n coarse values
 /// Fine rows have a value before their first sample and two after their last: the children beyond the ends.
-void gather(const Leaning& lean, const float* below, const float* low, const float* high, const float* above,
-            float* out, int n);
+void gather(const CornerWeights& lean, const float* below, const float* low, const float* high,
+            const float* above, float* out, int n);
 
 /// out = z + what a row of n parents gives to one row of its children.
 /// @param beside  the parents' neighbours on that row's side

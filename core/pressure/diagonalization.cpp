@@ -25,7 +25,7 @@ std::vector<double> strided(const std::vector<double>& matrix, int count, int st
 
 }  // namespace
 
-std::string_view Diagonalization::refuses(const Boundary& boundary) {
+std::string_view Diagonalization::unsupported_reason(const Boundary& boundary) {
     return boundary.has_solids() ? "obstacles: the modes of an obstructed domain are no products of waves"
                                  : std::string_view{};
 }

@@ -16,7 +16,7 @@ class Diagonalization : public PressureSolver {
                                      "Direct solve by dense products, for a domain without obstacles. Exact "
                                      "to rounding."};
     /// Empty without obstacles, else why there can be none.
-    static std::string_view refuses(const Boundary& boundary);
+    static std::string_view unsupported_reason(const Boundary& boundary);
 
     void prepare(const Boundary& boundary, Pool& pool) override;
     SolveReport solve(std::span<const double> b, double enough, std::span<double> p, Pool& pool) override;

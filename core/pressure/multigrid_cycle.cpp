@@ -83,8 +83,8 @@ void down_band(Level& level, CoarseLevel& coarse, int begin, int end, int unit) 
                 high = none;
             }
         }
-        rows::gather(coarse.leaning(parent), below, left[2 * parent], high, above, coarse.b.row(parent),
-                     coarse.shape.nx);
+        rows::gather(coarse.corner_weights(parent), below, left[2 * parent], high, above,
+                     coarse.b.row(parent), coarse.shape.nx);
         for (const Adoptions::Adoption& child : coarse.adoptions.by_row(parent)) {
             int row = child.j;  // one of four around this parent, perhaps wrapped
             if (row > 2 * parent + 2) row -= shape.ny;
@@ -108,7 +108,7 @@ void up_band(Level& level, const CoarseLevel& coarse, int begin, int end, int un
             const bool lower = j % 2 == 0;
             const int at = coarse.shape.row(lower ? parent - 1 : parent + 1);
             const float* parents = coarse.work.whole.row(parent);
-            const rows::Leaning lean = coarse.leaning(parent);
+            const rows::CornerWeights lean = coarse.corner_weights(parent);
             rows::carry(lean.across, lower ? lean.south : lean.north, parents,
                         at < 0 ? parents : coarse.work.whole.row(at), level.work.half.row(j), out,
                         coarse.shape.nx);

@@ -61,7 +61,7 @@ struct CoarseLevel {
     rows::CoarseRow row(int j) const {
         return {across.row(j), along.row(j), along.row(j + 1), inverse.row(j)};
     }
-    rows::Leaning leaning(int j) const {
+    rows::CornerWeights corner_weights(int j) const {
         return {lean_across.row(j), lean_along.row(j), lean_along.row(j + 1)};
     }
 };

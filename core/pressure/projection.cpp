@@ -17,23 +17,23 @@ constexpr double speed_that_stays = 0.25;
 
 void Projection::set_solver(std::size_t index, double tolerance) {
     tolerance_ = tolerance;
-    keeper_.choose(index);
+    selector_.choose(index);
 }
 
 /// Remembers a boundary, and says how it differs from the last one.
-SolverKeeper::Change Projection::take(const Boundary& boundary) {
+SolverSelector::Change Projection::take(const Boundary& boundary) {
     const Grid& grid = boundary.grid();
-    auto change = SolverKeeper::Change::None;
+    auto change = SolverSelector::Change::None;
     if (!(grid_ == grid) || sides_ != boundary.sides()) {
-        change = SolverKeeper::Change::Domain;
+        change = SolverSelector::Change::Domain;
         const std::size_t cells = static_cast<std::size_t>(grid.nx) * grid.ny;
         right_.assign(cells, 0);
         p_.assign(cells, 0);
         row_largest_.assign(static_cast<std::size_t>(grid.ny) + 1, 0);
     } else if (solids_ != boundary.solids()) {
-        change = SolverKeeper::Change::Walls;
+        change = SolverSelector::Change::Walls;
     }
-    if (change != SolverKeeper::Change::None) {
+    if (change != SolverSelector::Change::None) {
         grid_ = grid;
         sides_ = boundary.sides();
         solids_ = boundary.solids();
@@ -43,19 +43,19 @@ SolverKeeper::Change Projection::take(const Boundary& boundary) {
 }
 
 void Projection::look_at(const Boundary& boundary, Pool& pool) {
-    const SolverKeeper::Change change = take(boundary);
-    if (change != SolverKeeper::Change::None) components_.remove_means(p_, pool);  // 0 in cells now solid
-    keeper_.follow(boundary, change, pool);
+    const SolverSelector::Change change = take(boundary);
+    if (change != SolverSelector::Change::None) components_.remove_means(p_, pool);  // 0 in cells now solid
+    selector_.follow(boundary, change, pool);
 }
 
 void Projection::restore(const Memory& memory, const Boundary& boundary, Pool& pool) {
-    const bool same = take(boundary) == SolverKeeper::Change::None;
+    const bool same = take(boundary) == SolverSelector::Change::None;
     if (memory.pressure.empty()) {
         std::fill(p_.begin(), p_.end(), 0);
     } else {
         p_ = memory.pressure;
     }
-    keeper_.restore(memory.solver, boundary, same, pool);
+    selector_.restore(memory.solver, boundary, same, pool);
     if (memory.new_walls) solids_.clear();
 }
 
@@ -71,9 +71,9 @@ ProjectionReport Projection::project(FaceVelocity& velocity, double dt, const Bo
     const double enough =
         tolerance_ * std::abs(scale) *
         std::min(report.divergence_before * h, speed_that_stays * largest_speed(velocity, pool));
-    report.solve = keeper_.solver().solve(right_, enough, p_, pool);
+    report.solve = selector_.solver().solve(right_, enough, p_, pool);
     report.solver = report.solve.solver;
-    report.why_not = keeper_.why_not();
+    report.unsupported_reason = selector_.unsupported_reason();
     components_.remove_means(p_, pool);
 
     row_bands(pool, grid_.nx, grid_.ny, [&](int begin, int end) {

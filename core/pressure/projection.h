@@ -6,19 +6,19 @@
 #include <vector>
 
 #include "core/pressure/components.h"
-#include "core/pressure/solver_keeper.h"
+#include "core/pressure/solver_selector.h"
 
 namespace whorl {
 
 /// What one projection did.
 struct ProjectionReport {
     SolveReport solve;
-    std::string_view solver;       ///< key of the solver that acted
-    std::string_view why_not;      ///< why the chosen one did not; empty if it did
-    double divergence_before = 0;  ///< max |∇·u*|, 1/time
-    double divergence_after = 0;   ///< max |∇·u|, 1/time
-    double largest_speed = 0;      ///< max over faces of |u|, |v| after, length/time
-    double removed_mean = 0;       ///< the largest mean divergence taken out of a component, 1/time
+    std::string_view solver;              ///< key of the solver that acted
+    std::string_view unsupported_reason;  ///< why the chosen one did not; empty if it did
+    double divergence_before = 0;         ///< max |∇·u*|, 1/time
+    double divergence_after = 0;          ///< max |∇·u|, 1/time
+    double largest_speed = 0;             ///< max over faces of |u|, |v| after, length/time
+    double removed_mean = 0;              ///< the largest mean divergence taken out of a component, 1/time
 };
 
 /// Projection: ∇·(∇p) = (ρ₀/Δt) ∇·u*, u = u* − (Δt/ρ₀) ∇p, ρ₀ = 1.  [T 2.17b; F 48–59, with the factor Δt
@@ -44,18 +44,18 @@ class Projection {
     /// What a projection takes from those before it.
     struct Memory {
         std::vector<double> pressure;  ///< where an iteration starts; empty before the first projection
-        SolverKeeper::Memory solver;
+        SolverSelector::Memory solver;
         bool new_walls = false;  ///< the next projection will see walls painted since the last one
     };
     /// @param boundary  of the next projection
     Memory memory(const Boundary& boundary) const {
-        return {p_, keeper_.memory(), !solids_.empty() && solids_ != boundary.solids()};
+        return {p_, selector_.memory(), !solids_.empty() && solids_ != boundary.solids()};
     }
     /// Goes on from a memory of the same choice of solver and of this boundary; a default one begins anew.
     void restore(const Memory& memory, const Boundary& boundary, Pool& pool);
 
   private:
-    SolverKeeper::Change take(const Boundary& boundary);
+    SolverSelector::Change take(const Boundary& boundary);
     void look_at(const Boundary& boundary, Pool& pool);
     double set_right(const FaceVelocity& velocity, double scale, Pool& pool);
     void correct(FaceVelocity& velocity, double factor, Pool& pool) const;
@@ -64,7 +64,7 @@ class Projection {
     double largest_of_rows(int rows) const;
 
     double tolerance_ = 0;
-    SolverKeeper keeper_;
+    SolverSelector selector_;
     Components components_;
     Grid grid_;
     Sides sides_;

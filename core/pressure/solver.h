@@ -45,7 +45,7 @@ struct PressureSolverEntry {
     SchemeInfo info;
     std::unique_ptr<PressureSolver> (*create)();
     /// Why it is not offered for a boundary; empty where it is.
-    std::string_view (*refuses)(const Boundary& boundary);
+    std::string_view (*unsupported_reason)(const Boundary& boundary);
     /// Whether preparing takes many times longer than solving, so that it must wait while walls are painted.
     bool slow_to_prepare;
 };

@@ -25,7 +25,7 @@ std::span<const PressureSolverEntry> pressure_solvers() {
         {Ldlt::info, create<Ldlt>, never, true},
         {ConjugateGradient::info, create<ConjugateGradient>, never, false},
         {Multigrid::info, create<Multigrid>, never, false},
-        {Diagonalization::info, create<Diagonalization>, Diagonalization::refuses, false},
+        {Diagonalization::info, create<Diagonalization>, Diagonalization::unsupported_reason, false},
     };
     return table;
 }

@@ -48,7 +48,7 @@ Parameter row(Words words, Group group, Kind kind, Range range) {
 template <class Member>
 Parameter value_row(Words words, Group group, Range range, Member member) {
     using T = std::remove_reference_t<std::invoke_result_t<Member, Scene&>>;
-    const Kind kind = std::is_same_v<T, bool> ? Kind::Truth
+    const Kind kind = std::is_same_v<T, bool> ? Kind::Switch
                       : std::is_integral_v<T> ? Kind::Integer
                                               : Kind::Number;
     Parameter p = row(std::move(words), group, kind, range);
@@ -270,13 +270,13 @@ Table make_table() {
 }  // namespace
 
 std::string Parameter::text(double value) const {
-    if (kind == Kind::Truth) return value != 0 ? "true" : "false";
+    if (kind == Kind::Switch) return value != 0 ? "true" : "false";
     if (kind == Kind::Choice) return std::string(choices[static_cast<std::size_t>(value)].key);
     return shortest(value);
 }
 
 double Parameter::parse(std::string_view text) const {
-    if (kind == Kind::Truth) {
+    if (kind == Kind::Switch) {
         if (text == "true" || text == "on" || text == "1") return 1;
         if (text == "false" || text == "off" || text == "0") return 0;
         throw InputError(key + " = " + std::string(text) + " is not a truth: give true or false");

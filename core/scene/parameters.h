@@ -13,7 +13,7 @@ namespace whorl {
 
 /// A tunable of a scene. Values travel as doubles: a truth as 0 or 1, a choice as its index.
 struct Parameter {
-    enum class Kind { Number, Integer, Truth, Choice };
+    enum class Kind { Number, Integer, Switch, Choice };
     enum class Group { Domain, Time, Schemes, Particles, Forces, Pressure, Brush };
 
     std::string key;

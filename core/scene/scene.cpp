@@ -48,7 +48,7 @@ std::string conflict(const Scene& scene) {
     std::string scalars = conflict_of(scene.scalars, "scalars", scene);
     if (!scalars.empty() || scene.obstacles.empty()) return scalars;
     const PressureSolverEntry& solver = pressure_solvers()[scene.pressure];
-    const std::string_view reason = solver.refuses(boundary_of(scene));
+    const std::string_view reason = solver.unsupported_reason(boundary_of(scene));
     if (reason.empty()) return {};
     return std::string(solver.info.key) + " is not offered here: " + std::string(reason) +
            "; set pressure=auto";

@@ -8,6 +8,12 @@
 
 namespace whorl {
 
+/// All that a lane needs to go on.
+struct LaneCheckpoint {
+    Checkpoint simulation;
+    std::optional<std::string> failure;
+};
+
 /// A simulation that stops when a field loses its numbers, and can be started anew.
 class Lane {
   public:
@@ -18,7 +24,7 @@ class Lane {
     /// Why the lane stopped: step, field and place; nothing while it runs.
     const std::optional<std::string>& failure() const { return failure_; }
 
-    /// One step, unless the lane has stopped. @return whether it holds a new, sound state
+    /// One step, unless the lane has stopped. @return whether it holds a new state, all of it finite
     bool step() {
         if (failure_) return false;
         try {
@@ -40,15 +46,10 @@ class Lane {
         failure_.reset();
     }
 
-    /// A moment of the lane, to come back to.
-    struct Moment {
-        Checkpoint checkpoint;
-        std::optional<std::string> failure;
-    };
-    Moment moment() const { return {simulation_.checkpoint(), failure_}; }
-    void restore(const Moment& moment) {
-        simulation_.restore(moment.checkpoint);
-        failure_ = moment.failure;
+    LaneCheckpoint checkpoint() const { return {simulation_.checkpoint(), failure_}; }
+    void restore(const LaneCheckpoint& checkpoint) {
+        simulation_.restore(checkpoint.simulation);
+        failure_ = checkpoint.failure;
     }
 
   private:

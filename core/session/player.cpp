@@ -53,7 +53,7 @@ void Player::seek(long step) {
     wake_.notify_all();
 }
 
-std::optional<long> Player::sought() const {
+std::optional<long> Player::seek_target() const {
     const std::lock_guard lock(mutex_);
     if (loading_) return loading_;
     return rewind_to_ ? rewind_to_ : target_;
@@ -63,7 +63,7 @@ void Player::watch(const Watch& watch) {
     const std::lock_guard lock(mutex_);
     if (watch == watch_) return;
     watch_ = watch;
-    look_again_ = true;
+    refresh_ = true;
     wake_.notify_all();
 }
 
@@ -85,12 +85,12 @@ std::uint64_t Player::push(Command command) {
     return ++pushed_;
 }
 
-void Player::load(Recording recording, bool set_aside) {
+void Player::load(Recording recording, bool stash) {
     lane_scenes(recording.setup);
     const std::lock_guard lock(mutex_);
     loading_ = recording.step;
     next_ = std::move(recording);
-    sets_aside_ = sets_aside_ || set_aside;
+    stashes_ = stashes_ || stash;
     taken_ += commands_.size();
     commands_.clear();
     single_ = 0;
@@ -99,9 +99,9 @@ void Player::load(Recording recording, bool set_aside) {
     wake_.notify_all();
 }
 
-std::unique_ptr<SetAside> Player::take_set_aside() {
+std::unique_ptr<StashedRun> Player::take_stash() {
     const std::lock_guard lock(mutex_);
-    return std::move(set_aside_);
+    return std::move(stash_);
 }
 
 void Player::begin_frame() {
@@ -129,9 +129,9 @@ bool Player::take_measures(std::vector<StepMeasures>& out) {
     return fresh_run;
 }
 
-std::string Player::take_complaint() {
+std::string Player::take_error() {
     const std::lock_guard lock(mutex_);
-    return std::exchange(complaint_, {});
+    return std::exchange(error_, {});
 }
 
 double Player::steps_per_second() const {

@@ -31,7 +31,7 @@ struct Saved {
 };
 
 /// A run that another one has taken the place of, up to the last step that it had reached.
-struct SetAside {
+struct StashedRun {
     Recording recording;
     bool complete = true;  ///< whether the recording holds all of the run
 };
@@ -56,16 +56,16 @@ class Player {
     /// @return a ticket: the command has acted, or was refused, in snapshots whose `taken` has reached it
     std::uint64_t push(Command command);
     /// Throws the present run away and begins another one, at its recording's step.
-    /// @param set_aside  hands the present run over instead; take_set_aside has it once the other one has
+    /// @param stash  hands the present run over instead; take_stash has it once the other one has
     /// begun
     /// @throws InputError, with nothing changed
-    void load(Recording recording, bool set_aside = false);
-    std::unique_ptr<SetAside> take_set_aside();
+    void load(Recording recording, bool stash = false);
+    std::unique_ptr<StashedRun> take_stash();
     /// Goes to a step of the run that has been reached before, and pauses.
     void seek(long step);
     /// The step that is on its way to be reached, if any. Where there is none, the newest snapshot shows what
     /// was sought last.
-    std::optional<long> sought() const;
+    std::optional<long> seek_target() const;
 
     /// Called once a frame: allows the pace's steps to be taken until the next call.
     void begin_frame();
@@ -77,7 +77,7 @@ class Player {
     /// @return true if a new run began, so that older measures belong to another one
     bool take_measures(std::vector<StepMeasures>& out);
     /// The last command that could not be taken, once; empty otherwise.
-    std::string take_complaint();
+    std::string take_error();
     /// What snapshots and measures tell beside the fields, from a snapshot that is soon to come. While paused
     /// it tells of the step that is on screen, which is taken once more where nothing is kept of it.
     void watch(const Watch& watch);
@@ -100,18 +100,18 @@ class Player {
     void act(Lock& lock);
     void step(Lock& lock);
     void rewind(Lock& lock);
-    void arrive(Lock& lock);
+    void finish_seek(Lock& lock);
     /// Whether the moment was restored, so that the step that led to it has to be taken again to be watched.
     bool retakes() const { return restored_ && session_->step_number() > 0 && session_->complete(); }
-    void hand_over(Lock& lock);
-    void look_again(Lock& lock);
+    void save_state(Lock& lock);
+    void refresh(Lock& lock);
     void publish(Lock& lock, Event event);
     void note_step();
     bool wants_step() const {
         return target_ || single_ > 0 || (playing_ && (pace_.unlimited || allowed_ > 0));
     }
     bool wants_work() const {
-        return next_ || !commands_.empty() || rewind_to_ || save_ || look_again_ || wants_step();
+        return next_ || !commands_.empty() || rewind_to_ || save_ || refresh_ || wants_step();
     }
 
     mutable std::mutex mutex_;
@@ -125,17 +125,17 @@ class Player {
     std::uint64_t pushed_ = 0;  ///< commands so far
     std::uint64_t taken_ = 0;   ///< of them, those that have acted or were refused or dropped
     std::optional<Recording> next_;
-    bool sets_aside_ = false;  ///< next_ does, or one that it took the place of
-    std::unique_ptr<SetAside> set_aside_;
+    bool stashes_ = false;  ///< next_ does, or one that it took the place of
+    std::unique_ptr<StashedRun> stash_;
     std::optional<long> loading_;    ///< the step of a loaded run that has not begun yet
     std::optional<long> rewind_to_;  ///< a seek that has not begun yet
     std::optional<long> target_;     ///< the step of the seek that is under way
     std::vector<StepMeasures> measures_;
     bool new_run_ = true;
-    std::string complaint_;
+    std::string error_;
     bool save_ = false;
     Watch watch_;
-    bool look_again_ = false;  ///< what is watched has changed
+    bool refresh_ = false;  ///< what is watched has changed
     std::unique_ptr<Saved> saved_;
     int newest_ = 0, shown_ = 1, spare_ = 2;  ///< places in snapshots_
     bool fresh_ = false;                      ///< the newest has not been taken; else it is the shown one

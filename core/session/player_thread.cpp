@@ -27,9 +27,9 @@ void Player::work(const std::stop_token& stop) {
         } else if (!commands_.empty()) {
             act(lock);
         } else if (save_) {
-            hand_over(lock);
-        } else if (look_again_) {
-            look_again(lock);
+            save_state(lock);
+        } else if (refresh_) {
+            refresh(lock);
         } else if (wants_step()) {
             step(lock);
         } else {
@@ -42,29 +42,30 @@ void Player::begin(Lock& lock) {
     Recording recording = std::move(*next_);
     next_.reset();
     const Watch watched = watch_;
-    const bool sets_aside = std::exchange(sets_aside_, false);
+    const bool stashes = std::exchange(stashes_, false);
     lock.unlock();
-    std::string complaint;
-    std::unique_ptr<SetAside> before;
+    std::string error;
+    std::unique_ptr<StashedRun> before;
     try {
         Session session(std::move(recording), pool_);
         session.watch_limiters(watched.limiters);
         session.ask(watched.measures);
-        if (sets_aside)
-            before = std::make_unique<SetAside>(SetAside{session_->whole_recording(), session_->complete()});
+        if (stashes)
+            before =
+                std::make_unique<StashedRun>(StashedRun{session_->whole_recording(), session_->complete()});
         session_.emplace(std::move(session));
         restored_ = false;
     } catch (const InputError& e) {
-        complaint = e.what();
+        error = e.what();
     }
     lock.lock();
-    if (complaint.empty()) {
-        if (before) set_aside_ = std::move(before);
+    if (error.empty()) {
+        if (before) stash_ = std::move(before);
         target_.reset();
         if (session_->last_step() > 0) target_ = session_->last_step();
         publish(lock, Event::Began);
     } else {
-        complaint_ = complaint;
+        error_ = error;
     }
     // Unless another one has been loaded meanwhile.
     if (!next_) loading_.reset();
@@ -76,18 +77,18 @@ void Player::act(Lock& lock) {
     taken_ += commands.size();
     target_.reset();  // who acts on the way of a seek goes on from there
     lock.unlock();
-    std::string complaint;
+    std::string error;
     bool began = false;
     for (const Command& command : commands) {
         try {
             session_->apply(command);
         } catch (const InputError& e) {
-            complaint = e.what();
+            error = e.what();
         }
         began = began || std::holds_alternative<Restart>(command);
     }
     lock.lock();
-    if (!complaint.empty()) complaint_ = complaint;
+    if (!error.empty()) error_ = error;
     if (began) {
         publish(lock, Event::Began);
     } else if (!wants_step()) {
@@ -99,34 +100,34 @@ void Player::rewind(Lock& lock) {
     const long step = std::clamp(*rewind_to_, 0L, session_->last_step());
     rewind_to_.reset();
     target_ = step;
-    // What is watched is known of a step that was taken, not of a moment that was kept.
+    // What is watched is known of a step that was taken, not of a checkpoint.
     const bool retake = watch_.any() && retakes();
-    // A step that lies ahead is nearer from here than from a kept moment, as a rule.
+    // A step that lies ahead is nearer from here than from a kept checkpoint, as a rule.
     if (step > session_->step_number() || (step == session_->step_number() && !retake)) return;
     const long to = watch_.any() ? std::max(0L, step - 1) : step;
     lock.unlock();
-    std::string complaint;
+    std::string error;
     try {
         session_->rewind(to);
     } catch (const InputError& e) {
-        complaint = e.what();
+        error = e.what();
     }
     restored_ = true;
     lock.lock();
-    if (!complaint.empty()) complaint_ = complaint;
+    if (!error.empty()) error_ = error;
     note_step();
-    if (session_->step_number() >= step) arrive(lock);
+    if (session_->step_number() >= step) finish_seek(lock);
 }
 
-/// Shows the moment that was sought before it says that nothing is sought any more.
-void Player::arrive(Lock& lock) {
+/// Shows the step that was sought before it says that the seek has ended.
+void Player::finish_seek(Lock& lock) {
     publish(lock, Event::Edited);
     if (target_ && session_->step_number() >= *target_) target_.reset();
 }
 
 void Player::step(Lock& lock) {
     const bool seeking = target_.has_value();
-    if (seeking && session_->step_number() >= *target_) return arrive(lock);
+    if (seeking && session_->step_number() >= *target_) return finish_seek(lock);
     if (seeking) {
         // Goes as fast as it can.
     } else if (single_ > 0) {
@@ -136,19 +137,19 @@ void Player::step(Lock& lock) {
     }
     lock.unlock();
     restored_ = false;
-    std::string complaint;
+    std::string error;
     try {
         session_->step();
     } catch (const InputError& e) {
-        complaint = e.what();
+        error = e.what();
     }
     lock.lock();
-    if (!complaint.empty()) complaint_ = complaint;
+    if (!error.empty()) error_ = error;
     const double t = now();
     finished_.push_back(t);
     while (finished_.front() < t - rate_window) finished_.pop_front();
     note_step();
-    const bool stopped = !session_->sound();
+    const bool stopped = !session_->running();
     if (stopped) playing_ = false;
     // On the way of a seek a snapshot now and then will do.
     if (stopped || !target_ || t > published_ + seek_frame) publish(lock, Event::Stepped);
@@ -165,7 +166,7 @@ void Player::note_step() {
     measures_.push_back(std::move(row));
 }
 
-void Player::hand_over(Lock& lock) {
+void Player::save_state(Lock& lock) {
     save_ = false;
     const SessionSnapshot& last = snapshots_[fresh_ ? newest_ : shown_];
     lock.unlock();
@@ -180,8 +181,8 @@ void Player::hand_over(Lock& lock) {
     saved_ = std::move(saved);
 }
 
-void Player::look_again(Lock& lock) {
-    look_again_ = false;
+void Player::refresh(Lock& lock) {
+    refresh_ = false;
     const Watch watch = watch_;
     const bool on_its_way = wants_step();
     lock.unlock();

@@ -9,17 +9,17 @@
 namespace whorl {
 
 /// A command that acts once `step` steps are done. Never a Restart: that begins another recording.
-struct Stamped {
+struct TimedCommand {
     long step = 0;
     Command command;
-    bool operator==(const Stamped&) const = default;
+    bool operator==(const TimedCommand&) const = default;
 };
 
 struct Recording {
     Setup setup;
-    std::vector<Stamped> commands{};  ///< in the order in which they acted
-    long step = 0;                    ///< where the run stood when it was recorded
-    std::uint64_t digest = 0;         ///< of the session there; 0 where it is not known
+    std::vector<TimedCommand> commands{};  ///< in the order in which they acted
+    long step = 0;                         ///< where the run stood when it was recorded
+    std::uint64_t digest = 0;              ///< of the session there; 0 where it is not known
     bool operator==(const Recording&) const = default;
 
     /// Commands that a recording may hold: half an hour of drawing without a pause.

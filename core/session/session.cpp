@@ -22,7 +22,7 @@ Session::Session(Recording recording, Pool& pool, std::size_t limit_bytes)
     begin();
 }
 
-/// The start of the recording, with nothing acted yet but what is stamped 0.
+/// The start of the recording, with nothing acted yet but the commands of step 0.
 void Session::begin() {
     const std::vector<Scene> scenes = lane_scenes(recorded_.setup);
     setup_ = recorded_.setup;
@@ -45,7 +45,7 @@ void Session::step() {
     for (Place& place : lanes_) place.lane->step_to(time_);
     observe();
     last_step_ = std::max(last_step_, step_);
-    if (kept_.wants(step_)) kept_.keep(step_, moment());
+    if (kept_.wants(step_)) kept_.keep(step_, checkpoint());
     const std::string refusal = act_recorded();
     measure();
     fail_with(refusal);
@@ -119,11 +119,11 @@ void Session::arrange(const Arrange& a) {
             // The lane that it goes on from has moved to where `from` was named first.
             const auto first = std::find(a.from.begin(), a.from.end(), from) - a.from.begin();
             const Place& other = arranged[static_cast<std::size_t>(first)];
-            const Lane::Moment moment = other.lane->moment();
+            const LaneCheckpoint checkpoint = other.lane->checkpoint();
             std::vector<Reduced> reduced = other.reduced;
-            arranged.push_back({std::make_unique<Lane>(moment.checkpoint.scene, *pool_), next_id_++, {}});
+            arranged.push_back({std::make_unique<Lane>(checkpoint.simulation.scene, *pool_), next_id_++, {}});
             arranged.back().reduced = std::move(reduced);
-            arranged.back().lane->restore(moment);
+            arranged.back().lane->restore(checkpoint);
         }
     }
     lanes_ = std::move(arranged);
@@ -134,7 +134,7 @@ void Session::arrange(const Arrange& a) {
 void Session::rewind(long step) {
     if (!complete_) throw InputError("more was drawn than a recording holds; restart to record anew");
     const auto before = kept_.before(step);
-    const Moment* kept = before.second;
+    const SessionCheckpoint* kept = before.second;
     if (kept == nullptr) return begin();
     step_ = before.first;
     time_ = kept->time;
@@ -150,7 +150,7 @@ void Session::rewind(long step) {
         places.push_back(
             same != lanes_.end()
                 ? std::move(*same)
-                : Place{std::make_unique<Lane>(kept->lanes[k].checkpoint.scene, *pool_), kept->ids[k], {}});
+                : Place{std::make_unique<Lane>(kept->lanes[k].simulation.scene, *pool_), kept->ids[k], {}});
         places.back().lane->restore(kept->lanes[k]);
         places.back().limits.reset();
     }
@@ -161,14 +161,14 @@ void Session::rewind(long step) {
     fail_with(refusal);
 }
 
-Moment Session::moment() const {
-    Moment moment{
+SessionCheckpoint Session::checkpoint() const {
+    SessionCheckpoint checkpoint{
         .time = time_, .acted = acted_, .next_id = next_id_, .setup = setup_, .ids = {}, .lanes = {}};
     for (const Place& place : lanes_) {
-        moment.ids.push_back(place.id);
-        moment.lanes.push_back(place.lane->moment());
+        checkpoint.ids.push_back(place.id);
+        checkpoint.lanes.push_back(place.lane->checkpoint());
     }
-    return moment;
+    return checkpoint;
 }
 
 void Session::watch_limiters(bool watch) {
@@ -265,7 +265,7 @@ Recording Session::whole_recording() const {
     return whole;
 }
 
-bool Session::sound() const {
+bool Session::running() const {
     return std::any_of(lanes_.begin(), lanes_.end(),
                        [](const Place& place) { return !place.lane->failure().has_value(); });
 }

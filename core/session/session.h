@@ -8,23 +8,23 @@
 #include "core/inspect/limiter_marks.h"
 #include "core/measure/average.h"
 #include "core/measure/measure.h"
-#include "core/session/kept_moments.h"
+#include "core/session/checkpoint_store.h"
 #include "core/session/recording.h"
 
 namespace whorl {
 
 /// A run of one to six lanes of a scene. Its steps are of the scene's Δt; a lane with another Δt takes as
-/// many of its own as bring it to the same time, so that all lanes show the same moment. The same recording
-/// gives the same bits, with any number of threads.
+/// many of its own as bring it to the same time, so that all lanes show the same checkpoint. The same
+/// recording gives the same bits, with any number of threads.
 class Session {
   public:
-    /// Memory that the moments to go back to may take.
-    static constexpr std::size_t moments_limit = std::size_t{512} << 20;
+    /// Memory that the checkpoints to go back to may take.
+    static constexpr std::size_t checkpoints_limit = std::size_t{512} << 20;
 
     /// Stands at step 0 of a recording, whose commands act when their step is reached.
     /// @param pool  does the work; must outlive the session
     /// @throws InputError if the setup's choices do not go together
-    Session(Recording recording, Pool& pool, std::size_t limit_bytes = moments_limit);
+    Session(Recording recording, Pool& pool, std::size_t limit_bytes = checkpoints_limit);
 
     /// One step of every lane that runs, then the commands recorded for it.
     /// @throws InputError if a recorded command cannot act; the session then stands behind it
@@ -33,7 +33,7 @@ class Session {
     /// too.
     /// @throws InputError, with nothing changed
     void apply(const Command& command);
-    /// Back to the last moment that is kept at or before `step`. Step on from there to reach it.
+    /// Back to the last checkpoint that is kept at or before `step`. Step on from there to reach it.
     /// @throws InputError as step() does
     void rewind(long step);
 
@@ -67,7 +67,7 @@ class Session {
     /// Of a lane's present state; its errors are against the exact solution, or else against the reference.
     const Measures& measures(std::size_t k) const { return lanes_[k].measures; }
     /// Whether any lane can be stepped on.
-    bool sound() const;
+    bool running() const;
     /// A number made from every bit of the lanes' fields and times: equal runs have equal ones.
     std::uint64_t digest() const;
 
@@ -90,7 +90,7 @@ class Session {
     void mark(Place& place);
     bool marks_limiters() const;
     void measure_against(const Simulation& reference);
-    Moment moment() const;
+    SessionCheckpoint checkpoint() const;
 
     Pool* pool_;
     Recording recorded_;
@@ -103,7 +103,7 @@ class Session {
     std::vector<const Measure*> asked_;  ///< of those on demand
     int next_id_ = 0;
     std::vector<Place> lanes_;
-    KeptMoments kept_;
+    CheckpointStore kept_;
     Reducer reducer_;
     Averager averager_;
     Field averaged_;  ///< the reference's density on a lane's grid

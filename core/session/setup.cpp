@@ -19,7 +19,7 @@ std::string words(const Parameter& p, double value) {
         const SchemeInfo& choice = p.choices[static_cast<std::size_t>(value)];
         return std::string(choice.label);
     }
-    if (p.kind == Parameter::Kind::Truth) return p.label + (value != 0 ? ": on" : ": off");
+    if (p.kind == Parameter::Kind::Switch) return p.label + (value != 0 ? ": on" : ": off");
     return p.label + " = " + significant(value, 4);
 }
 

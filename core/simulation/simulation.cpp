@@ -39,18 +39,18 @@ void Simulation::restart() {
     measures_ = {};
     const double nothing = experiment_->flow ? unknown : 0;
     for (const StepOrder::Part& part : order().parts) measures_.add(part.phase, {0, nothing, nothing});
-    measure(meter_.flow(state_.velocity, state_.boundary, *pool_));
+    measure(reducer_.flow(state_.velocity, state_.boundary, *pool_));
 }
 
 void Simulation::set_scene(const Scene& scene) {
     scene_ = scene;
     if (!(state_.grid() == scene.grid()) || state_.boundary.sides() != scene.sides) {
-        const FlowSums before = meter_.flow(state_.velocity, state_.boundary, *pool_);
+        const FlowSums before = reducer_.flow(state_.velocity, state_.boundary, *pool_);
         solvers_.advected.reset();
         solvers_.forget();
         state_ = resample(state_, scene);
         solvers_.projection.restore({}, state_.boundary, *pool_);
-        resampled_ += meter_.flow(state_.velocity, state_.boundary, *pool_) - before;
+        resampled_ += reducer_.flow(state_.velocity, state_.boundary, *pool_) - before;
     }
     if (!exact_.same_shape(state_.density()) || !solvers_.next.velocity.u.same_shape(state_.velocity.u)) {
         solvers_.next.scalars.resize(state_.scalars.size());
@@ -94,7 +94,7 @@ void Simulation::step() {
     state_.time += scene_.dt;
     measures_.step_ms = watch.ms();
     measure(flow);
-    if (!meter_.finite()) {
+    if (!reducer_.finite()) {
         throw NotFinite("step " + std::to_string(state_.step) + ": " + not_finite(state_) +
                         " is not a finite number");
     }
@@ -118,7 +118,7 @@ FlowSums Simulation::run(const StepOrder& order) {
         PhaseShare did{watch.ms(), unknown, unknown};
         if (solved) {
             const FlowSums before = flow;
-            flow = meter_.flow(state_.velocity, state_.boundary, *pool_);
+            flow = reducer_.flow(state_.velocity, state_.boundary, *pool_);
             did.energy = (flow - before).kinetic_energy;
             did.enstrophy = (flow - before).enstrophy;
             if (phase.dissipates) dissipation.add(did.energy, before.enstrophy, dt);
@@ -126,7 +126,7 @@ FlowSums Simulation::run(const StepOrder& order) {
         measures_.add(phase.key, did);
     }
     measures_.effective_viscosity = dissipation.viscosity();
-    return solved ? flow : meter_.flow(state_.velocity, state_.boundary, *pool_);
+    return solved ? flow : reducer_.flow(state_.velocity, state_.boundary, *pool_);
 }
 
 std::optional<LastAdvection> Simulation::last_advection() const {
@@ -150,7 +150,7 @@ bool Simulation::exact(Field& density) const {
 }
 
 void Simulation::measure(const FlowSums& flow) {
-    meter_.measure(state_, flow, scene_.dt, *pool_, measures_);
+    reducer_.measure(state_, flow, scene_.dt, *pool_, measures_);
     measures_.errors = exact(exact_) ? errors(state_.density(), exact_, state_.boundary) : Errors{};
     resampled_ = {};
 }

@@ -71,7 +71,7 @@ class Simulation {
 
     Solvers solvers_;
     Field exact_;
-    Meter meter_;
+    StateReducer reducer_;
     FlowSums resampled_;  ///< what changes of grid did to the flow since the last step
 };
 

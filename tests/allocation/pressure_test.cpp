@@ -14,7 +14,7 @@ TEST(Allocation, NoneInASolveAfterTheFirst) {
         const Boundary boundary =
             domain(96, 80, false, obstacles ? discs(96, 80) : std::vector<std::uint8_t>{});
         for (const PressureSolverEntry& each : pressure_solvers()) {
-            if (!each.refuses(boundary).empty()) continue;
+            if (!each.unsupported_reason(boundary).empty()) continue;
             const std::vector<double> b = random_right(boundary, 3, pool);
             std::vector<double> p(b.size(), 0);
             const auto solver = each.create();

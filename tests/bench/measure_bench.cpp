@@ -26,7 +26,7 @@ State waves(int resolution, const Sides& sides) {
 void flow_sums(benchmark::State& state) {
     const State flow = waves(static_cast<int>(state.range(0)), sides::box);
     Pool pool(static_cast<int>(state.range(1)));
-    FlowMeter meter;
+    FlowReducer meter;
     for (auto _ : state) benchmark::DoNotOptimize(meter.measure(flow.velocity, flow.boundary, pool));
 }
 BENCHMARK(flow_sums)->ArgsProduct({{128, 256, 512}, {1, 2}})->UseRealTime()->Unit(benchmark::kMicrosecond);

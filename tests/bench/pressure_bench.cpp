@@ -94,7 +94,7 @@ int largest_size(std::string_view key) {
 void register_all() {
     for (const PressureSolverEntry& entry : pressure_solvers()) {
         for (const Layout& layout : layouts) {
-            if (!entry.refuses(domain(64, layout)).empty()) continue;
+            if (!entry.unsupported_reason(domain(64, layout)).empty()) continue;
             for (const int threads : {1, 2}) {
                 for (int n = 128; n <= largest_size(entry.info.key); n *= 2) {
                     const auto add = [&](const char* what, auto&& run) {

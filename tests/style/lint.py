@@ -60,8 +60,8 @@ class Sources:
         self.hashes = {}
 
     def all(self):
-        rooms = (ROOT / "core", ROOT / "app")
-        return sorted(file for file in self.flags if file.exists() and any(map(file.is_relative_to, rooms)))
+        modules = (ROOT / "core", ROOT / "app")
+        return sorted(file for file in self.flags if file.exists() and any(map(file.is_relative_to, modules)))
 
     def unit(self, file):
         """The file itself, or the one that a header is read with: its namesake if there is one."""

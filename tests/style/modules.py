@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Holds every include of core and app to the order of rooms in modules.txt; prints the two files where one breaks it."""
+"""Holds every include of core and app to the order of modules in modules.txt; prints the two files where one breaks it."""
 import re
 import subprocess
 import sys
@@ -10,7 +10,7 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*"((?:core|app)/[^"]+)"', re.MULTILINE)
 
 
 def read_rules(text):
-    """The level of each room, and the excepted (file, included) pairs."""
+    """The level of each module, and the excepted (file, included) pairs."""
     levels, excepted = {}, set()
     for number, line in enumerate(text.splitlines()):
         words = line.split("#")[0].split()
@@ -21,9 +21,9 @@ def read_rules(text):
     return levels, excepted
 
 
-def room_of(file, levels):
-    """The room that a file lies in: a folder, or the file itself; None if it lies in none."""
-    return next((room for room in (file, *map(str, Path(file).parents)) if room in levels), None)
+def module_of(file, levels):
+    """The module that a file lies in: a folder, or the file itself; None if it lies in none."""
+    return next((module for module in (file, *map(str, Path(file).parents)) if module in levels), None)
 
 
 def source_files():
@@ -37,18 +37,18 @@ def faults():
     levels, excepted = read_rules((ROOT / "tests/style/modules.txt").read_text())
     unused = set(excepted)
     for file in source_files():
-        room = room_of(file, levels)
-        if room is None:
-            yield f"{file} is in no room of tests/style/modules.txt"
+        module = module_of(file, levels)
+        if module is None:
+            yield f"{file} is in no module of tests/style/modules.txt"
             continue
         for included in INCLUDE.findall((ROOT / file).read_text()):
-            other = room_of(included, levels)
-            if other is None or other == room or levels[other] < levels[room]:
+            other = module_of(included, levels)
+            if other is None or other == module or levels[other] < levels[module]:
                 continue
             permits = {(file, included), (file, other)} & excepted
             unused -= permits
             if not permits:
-                yield f"{file} includes {included}, but {room} does not come after {other}"
+                yield f"{file} includes {included}, but {module} does not come after {other}"
     for file, included in sorted(unused):
         yield f"tests/style/modules.txt excepts {file} {included}, which is not needed"
 

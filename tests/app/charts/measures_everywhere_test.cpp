@@ -181,8 +181,9 @@ TEST_F(MeasuresEverywhere, InChartsOfTheirPage) {
             for (const Measure* measure : chart.curves) {
                 EXPECT_TRUE(shown.insert(measure).second) << measure->key;
                 EXPECT_EQ(measure->plot.unit, chart.first().plot.unit) << measure->key;
-                if (measure->plot.unit)
+                if (measure->plot.unit) {
                     EXPECT_EQ(measure->unit, chart.first().unit) << measure->key << ": one axis, one unit";
+                }
                 EXPECT_EQ(measure->timing, chart.first().timing) << measure->key;
             }
         }

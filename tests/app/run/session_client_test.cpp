@@ -29,7 +29,7 @@ struct Steered {
             return condition();
         });
     }
-    bool acted() {
+    bool changed() {
         return eventually(
             [&] { return client.snapshot().scene == client.scene() && client.session().serial > 0; });
     }
@@ -39,7 +39,7 @@ TEST(SessionClient, ShowsAChoiceAtOnceAndSendsIt) {
     Steered s;
     s.choose("zeta", "4");
     EXPECT_EQ(s.client.scene().scalars.zeta, 4);
-    EXPECT_TRUE(s.acted());
+    EXPECT_TRUE(s.changed());
     EXPECT_EQ(s.client.snapshot().scene.velocity.zeta, 4);
 }
 
@@ -48,7 +48,7 @@ TEST(SessionClient, AslamTakesLinearInterpolationAlongAndSaysSo) {
     s.choose("interpolation", "fritsch-carlson");
     s.choose("advector", "aslam");
     EXPECT_EQ(s.client.scene().scalars.interpolation.key(), "linear");
-    EXPECT_TRUE(s.acted());
+    EXPECT_TRUE(s.changed());
     EXPECT_EQ(s.client.snapshot().scene.scalars.advector.key(), "aslam");
     EXPECT_EQ(s.client.snapshot().scene.scalars.interpolation.key(), "linear");
     ASSERT_EQ(s.notifications.shown().size(), 1u);
@@ -62,7 +62,7 @@ TEST(SessionClient, OfOneSetOnlyWhereTheyDiffer) {
     s.choose("scalars.advector", "aslam");
     EXPECT_EQ(s.client.scene().scalars.interpolation.key(), "linear");
     EXPECT_EQ(s.client.scene().velocity.interpolation.key(), "bicubic");
-    EXPECT_TRUE(s.acted());
+    EXPECT_TRUE(s.changed());
 }
 
 TEST(SessionClient, AValueOutOfRangeIsANotice) {
@@ -223,18 +223,18 @@ TEST(SessionClient, LanesThatCannotBeAreANotice) {
 
 TEST(Applicability, SaysWhyAControlHasNoEffect) {
     Scene scene;
-    EXPECT_NE(why_idle(parameter("zeta"), scene), "");
-    EXPECT_NE(why_idle(parameter("base"), scene), "");
-    EXPECT_NE(why_idle(parameter("axis-order"), scene), "");
-    EXPECT_EQ(why_idle(parameter("interpolation"), scene), "");
+    EXPECT_NE(inactive_reason(parameter("zeta"), scene), "");
+    EXPECT_NE(inactive_reason(parameter("base"), scene), "");
+    EXPECT_NE(inactive_reason(parameter("axis-order"), scene), "");
+    EXPECT_EQ(inactive_reason(parameter("interpolation"), scene), "");
     set_parameter(scene, "advector=aslam");
-    EXPECT_EQ(why_idle(parameter("zeta"), scene), "");
-    EXPECT_NE(why_idle(parameter("interpolation"), scene), "");
+    EXPECT_EQ(inactive_reason(parameter("zeta"), scene), "");
+    EXPECT_NE(inactive_reason(parameter("interpolation"), scene), "");
     set_parameter(scene, "advector=maccormack");
-    EXPECT_EQ(why_idle(parameter("base"), scene), "");
-    EXPECT_EQ(why_idle(parameter("limiter"), scene), "");
-    EXPECT_EQ(why_idle(parameter("beta"), scene), "");
-    EXPECT_NE(why_idle(parameter("beta"), scene_of(experiment("translation"))), "");
+    EXPECT_EQ(inactive_reason(parameter("base"), scene), "");
+    EXPECT_EQ(inactive_reason(parameter("limiter"), scene), "");
+    EXPECT_EQ(inactive_reason(parameter("beta"), scene), "");
+    EXPECT_NE(inactive_reason(parameter("beta"), scene_of(experiment("translation"))), "");
 }
 
 }  // namespace

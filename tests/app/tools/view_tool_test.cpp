@@ -12,21 +12,6 @@ namespace {
 
 using Kind = InputEvent::Kind;
 
-Scene box(double width, double height, int resolution) {
-    Scene scene;
-    scene.width = width;
-    scene.height = height;
-    scene.resolution = resolution;
-    return scene;
-}
-
-std::vector<LaneSetup> lanes(int count) {
-    std::vector<LaneSetup> all(static_cast<std::size_t>(count));
-    for (int k = 0; k < count; ++k)
-        all[static_cast<std::size_t>(k)].overrides = {{"seed", std::to_string(k + 1)}};
-    return all;
-}
-
 struct Viewed {
     FieldViewports place{.tiles = {{0, {100, 100, 400, 400}, {100, 100, 400, 400}, 40, 40},
                                    {1, {520, 100, 400, 400}, {520, 100, 400, 400}, 40, 40}},

@@ -144,8 +144,8 @@ void make_own_run(LessonWindow& window) {
 /// The bits of a step of the run on screen.
 std::uint64_t digest_at(LessonWindow& window, long step) {
     window.client.seek(step);
-    EXPECT_TRUE(
-        window.eventually([&] { return !window.client.sought() && window.client.session().step == step; }));
+    EXPECT_TRUE(window.eventually(
+        [&] { return !window.client.seek_target() && window.client.session().step == step; }));
     return window.client.session().digest();
 }
 
@@ -175,7 +175,7 @@ TEST(LessonPanelWalk, GivesTheRunBackThatItTookThePlaceOf) {
     window.lesson_player.set_open(false);
     EXPECT_TRUE(window.eventually([&] {
         return window.client.loaded() == "own" && window.client.session().step == 11 &&
-               !window.client.sought();
+               !window.client.seek_target();
     }));
     window.frame();
     EXPECT_EQ(window.client.session().digest(), digest);
@@ -229,7 +229,7 @@ TEST(LessonPanelWalk, LeavesWhatSomeoneHasLoadedSince) {
     EXPECT_TRUE(window.eventually([&] { return window.shows(lesson.steps[1]); }));
     window.lesson_player.set_open(false);
     EXPECT_TRUE(
-        window.eventually([&] { return window.client.loaded() == "other" && !window.client.sought(); }));
+        window.eventually([&] { return window.client.loaded() == "other" && !window.client.seek_target(); }));
 
     window.lesson_player.begin(lesson);
     EXPECT_TRUE(window.eventually([&] { return window.shows(lesson.steps[0]); }));

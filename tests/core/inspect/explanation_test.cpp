@@ -98,7 +98,7 @@ TEST(Inspect, NamesTheSourceOfEachLimitOfSlopes) {
         step.velocity.u.set_all(Real(-0.5));
         Pool pool(1);
         const Explanation e = explain(step.last(), field::density, 2, 0, pool);
-        EXPECT_TRUE(e.sum.slopes->acted()) << interpolation;
+        EXPECT_TRUE(e.sum.slopes->changed()) << interpolation;
         EXPECT_NE(write_text(e).find("limited: "), std::string::npos);
         EXPECT_NE(write_text(e).find("[" + e.sum.slopes->equation + "]"), std::string::npos);
         return e.sum.slopes->equation;

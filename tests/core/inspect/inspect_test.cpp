@@ -68,12 +68,12 @@ void expect_adds_up(const Sum& sum) {
     if (std::abs(added - sum.total) > sum_rounding * size + weight_rounding * values)
         RC_FAIL(sum.title + " does not add up");
     if (sum.cut) {
-        const Cut& c = *sum.cut;
+        const Clamping& c = *sum.cut;
         RC_ASSERT(c.low <= c.high);
         RC_ASSERT(c.before == sum.total);
         const bool outside = c.before < c.low || c.before > c.high;
-        RC_ASSERT(c.acted() == (outside && (!c.first_order || *c.first_order != c.before)));
-        RC_ASSERT(!c.acted() || c.after == c.first_order.value_or(c.before < c.low ? c.low : c.high));
+        RC_ASSERT(c.changed() == (outside && (!c.first_order || *c.first_order != c.before)));
+        RC_ASSERT(!c.changed() || c.after == c.first_order.value_or(c.before < c.low ? c.low : c.high));
     }
     for (const Sum& part : sum.parts) expect_adds_up(part);
 }

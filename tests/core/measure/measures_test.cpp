@@ -39,9 +39,9 @@ double sum(const Measures& m, double PhaseShare::*of) {
     return all;
 }
 
-TEST(FlowMeter, AgreesWithPlainSums) {
+TEST(FlowReducer, AgreesWithPlainSums) {
     Pool pool(2);
-    FlowMeter meter;
+    FlowReducer meter;
     const std::pair<int, int> shapes[] = {{1, 1}, {7, 5}, {8, 8}, {33, 17}, {40, 1}, {300, 210}};
     for (const Sides sides : {sides::box, sides::periodic}) {
         for (const auto& [nx, ny] : shapes) {
@@ -87,13 +87,13 @@ TEST(FlowMeter, AgreesWithPlainSums) {
     }
 }
 
-TEST(FlowMeter, GivesTheSameBitsOnEveryInstructionSet) {
+TEST(FlowReducer, GivesTheSameBitsOnEveryInstructionSet) {
     const Boundary boundary({61, 9, 0.3}, sides::box);
     const FaceVelocity velocity = random_velocity(boundary);
     Pool pool(1);
-    const FlowSums best = FlowMeter().measure(velocity, boundary, pool);
+    const FlowSums best = FlowReducer().measure(velocity, boundary, pool);
     for (const Isa isa : available_isas()) {
-        const FlowSums sums = FlowMeter(isa).measure(velocity, boundary, pool);
+        const FlowSums sums = FlowReducer(isa).measure(velocity, boundary, pool);
         EXPECT_EQ(sums.kinetic_energy, best.kinetic_energy) << name(isa);
         EXPECT_EQ(sums.enstrophy, best.enstrophy) << name(isa);
     }
@@ -159,7 +159,7 @@ TEST(PhaseChanges, TheBrushIsAForce) {
     simulation.step();
     EXPECT_EQ(simulation.measures().phase("forces").energy, 0);
     simulation.apply(SmokeStroke{.along = {20, 20, 22, 20}, .radius = 3, .push = 1, .velocity_x = 10});
-    FlowMeter meter;
+    FlowReducer meter;
     const FlowSums stroke = meter.measure(simulation.state().velocity, simulation.state().boundary, pool);
     ASSERT_GT(stroke.kinetic_energy, 0);
     simulation.step();
@@ -179,7 +179,7 @@ TEST(PhaseChanges, AChangeOfGridIsNobodys) {
     Pool pool(1);
     Simulation simulation(scene_with("empty", {"alpha=0", "beta=0"}), pool);
     simulation.apply(SmokeStroke{.along = {20, 20, 22, 20}, .radius = 3, .push = 1, .velocity_x = 10});
-    FlowMeter meter;
+    FlowReducer meter;
     const FlowSums stroke = meter.measure(simulation.state().velocity, simulation.state().boundary, pool);
     set(simulation, "resolution=63");
     set(simulation, "sides=periodic");

@@ -72,7 +72,7 @@ TEST(Spectrum, HoldsAllEnergyOfAnyFlowOfAnyShape) {
                 for (const double e : spectrum.energy()) EXPECT_GE(e, 0);
                 if (ny > 1) {
                     Pool pool(1);
-                    FlowMeter meter;
+                    FlowReducer meter;
                     const double measured = meter.measure(velocity, boundary, pool).kinetic_energy;
                     const double area = boundary.grid().width() * boundary.grid().height();
                     EXPECT_NEAR(total_energy(spectrum) * area, measured, rounding * expected * area);

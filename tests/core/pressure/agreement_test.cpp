@@ -25,7 +25,7 @@ void expect_agreement(const Boundary& boundary, unsigned seed, Pool& pool) {
     const std::vector<double> b = random_right(boundary, seed, pool);
     const Solution reference = solve(entry("ldlt"), boundary, b, asked, pool);
     for (const PressureSolverEntry& each : pressure_solvers()) {
-        if (!each.refuses(boundary).empty()) continue;
+        if (!each.unsupported_reason(boundary).empty()) continue;
         SCOPED_TRACE(each.info.key);
         const Solution solution = solve(each, boundary, b, asked, pool);
         for (const double value : solution.p) ASSERT_TRUE(std::isfinite(value));
@@ -61,7 +61,7 @@ TEST(Agreement, HundredRandomLayouts) {
         const std::vector<double> b = random_right(boundary, seed, pool);
         const Solution reference = solve(entry("ldlt"), boundary, b, asked, pool);
         for (const PressureSolverEntry& each : pressure_solvers()) {
-            if (!each.refuses(boundary).empty()) continue;
+            if (!each.unsupported_reason(boundary).empty()) continue;
             RC_LOG() << each.info.key << "\n";
             const Solution solution = solve(each, boundary, b, asked, pool);
             RC_ASSERT(residual(boundary, b, solution.p, pool) <= residual_bound);
@@ -97,7 +97,7 @@ TEST(Agreement, NoFluidNoTrouble) {
             domain(nx, ny, false, std::vector<std::uint8_t>(static_cast<std::size_t>(nx) * ny, 1));
         const std::vector<double> b(static_cast<std::size_t>(nx) * ny, 0);
         for (const PressureSolverEntry& each : pressure_solvers()) {
-            if (!each.refuses(boundary).empty()) continue;
+            if (!each.unsupported_reason(boundary).empty()) continue;
             const Solution solution = solve(each, boundary, b, asked, pool);
             EXPECT_EQ(largest(solution.p), 0) << each.info.key;
         }
@@ -118,8 +118,8 @@ TEST(Agreement, AnyUnit) {
 }
 
 TEST(Agreement, DiagonalizationSaysWhyItIsNotOffered) {
-    EXPECT_TRUE(entry("diagonalization").refuses(domain(8, 8, false)).empty());
-    EXPECT_FALSE(entry("diagonalization").refuses(domain(8, 8, false, discs(8, 8))).empty());
+    EXPECT_TRUE(entry("diagonalization").unsupported_reason(domain(8, 8, false)).empty());
+    EXPECT_FALSE(entry("diagonalization").unsupported_reason(domain(8, 8, false, discs(8, 8))).empty());
 }
 
 }  // namespace

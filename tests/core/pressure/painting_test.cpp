@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/pressure/projection.h"
-#include "core/pressure/solver_keeper.h"
+#include "core/pressure/solver_selector.h"
 #include "tests/core/pressure/domains.h"
 
 namespace whorl::test {
@@ -37,7 +37,8 @@ Painted paint(std::string_view solver, int first_stroke, int strokes, int projec
 
 TEST(Painting, AStandInActsUntilTheWallsHaveRested) {
     Pool pool(2);
-    const int back = 5 + SolverKeeper::projections_at_rest + SolverKeeper::projections_to_prepare({n, n, 1});
+    const int back =
+        5 + SolverSelector::projections_at_rest + SolverSelector::projections_to_prepare({n, n, 1});
     const Painted run = paint("ldlt", 3, 3, back + 4, pool);
     for (int k = 0; k < back + 4; ++k) {
         const bool away = k >= 3 && k < back;
@@ -55,7 +56,7 @@ TEST(Painting, AgainWhileTheSolverIsOnItsWay) {
     projection.set_solver(index_of("ldlt"), 1e-5);
     std::vector<std::uint8_t> solids(static_cast<std::size_t>(n) * n, 0);
     for (int k = 0; k < 100; ++k) {
-        if (k % SolverKeeper::projections_at_rest == 0 && k < 60) {
+        if (k % SolverSelector::projections_at_rest == 0 && k < 60) {
             solids[static_cast<std::size_t>(k) * 3] = 1;
             boundary.set_solids(solids);
         }

@@ -15,7 +15,7 @@ TEST(Threads, SameBits) {
                     domain(nx, ny, periodic, obstacles ? discs(nx, ny) : std::vector<std::uint8_t>{});
                 const std::vector<double> b = random_right(boundary, 9, one);
                 for (const PressureSolverEntry& each : pressure_solvers()) {
-                    if (!each.refuses(boundary).empty()) continue;
+                    if (!each.unsupported_reason(boundary).empty()) continue;
                     const Solution expected = solve(each, boundary, b, 1e-5, one);
                     for (const int threads : {2, 3}) {
                         Pool several(threads);

@@ -50,8 +50,8 @@ TEST(Player, SetsARunAsideForAnotherOne) {
     other.setup.scene.resolution = 12;
     player.load(other, true);
     player.load(other);  // before the first of them has begun, as a rule: the run is set aside all the same
-    std::unique_ptr<SetAside> before;
-    ASSERT_TRUE(eventually([&] { return (before = player.take_set_aside()) != nullptr; }));
+    std::unique_ptr<StashedRun> before;
+    ASSERT_TRUE(eventually([&] { return (before = player.take_stash()) != nullptr; }));
     EXPECT_EQ(before->recording.setup, small_plume().setup);
     EXPECT_EQ(before->recording.commands.size(), 1u);
     EXPECT_EQ(before->recording.step, 1);
@@ -59,7 +59,7 @@ TEST(Player, SetsARunAsideForAnotherOne) {
     const int run = player.newest().run;
     player.load(small_plume());
     ASSERT_TRUE(eventually([&] { return player.newest().run > run; }));
-    EXPECT_EQ(player.take_set_aside(), nullptr) << "nobody asked";
+    EXPECT_EQ(player.take_stash(), nullptr) << "nobody asked";
 }
 
 TEST(Player, SeeksALoadedRunsStepFromTheCallOn) {
@@ -69,15 +69,15 @@ TEST(Player, SeeksALoadedRunsStepFromTheCallOn) {
     for (int round = 0; round < 20; ++round) {
         const int run = player.newest().run;
         player.load(far);
-        EXPECT_EQ(player.sought().value_or(40), 40) << "on its way, or there already";
+        EXPECT_EQ(player.seek_target().value_or(40), 40) << "on its way, or there already";
         // Nothing is sought any more: the newest snapshot is the one that was.
-        ASSERT_TRUE(eventually([&] { return !player.sought(); }));
+        ASSERT_TRUE(eventually([&] { return !player.seek_target(); }));
         EXPECT_EQ(player.newest().step, 40);
         EXPECT_GT(player.newest().run, run);
         // A run that takes its place does not go on to its step.
         player.load(far);
         player.load(small_plume());
-        ASSERT_TRUE(eventually([&] { return !player.sought(); }));
+        ASSERT_TRUE(eventually([&] { return !player.seek_target(); }));
         EXPECT_EQ(player.newest().step, 0);
     }
 }
@@ -103,9 +103,9 @@ TEST(Player, CommandsActWhilePaused) {
     player.push(SetParameter{"resolution", "32"});
     EXPECT_TRUE(eventually([&] { return player.newest().lanes[0].grid().nx == 32; }));
     player.push(SetParameter{"zeta", "77"});
-    std::string complaint;
-    EXPECT_TRUE(eventually([&] { return !(complaint = player.take_complaint()).empty(); }));
-    EXPECT_EQ(complaint, "zeta = 77 is out of range: 0 to 4");
+    std::string error;
+    EXPECT_TRUE(eventually([&] { return !(error = player.take_error()).empty(); }));
+    EXPECT_EQ(error, "zeta = 77 is out of range: 0 to 4");
 }
 
 TEST(Player, MeasuresEveryStepOnce) {

@@ -159,10 +159,10 @@ TEST(Session, AReplayGivesTheSameBitsWithAnyThreads) {
     }
 }
 
-/// Back and forth in a run, whatever moments have been kept.
+/// Back and forth in a run, whatever checkpoints have been kept.
 RC_GTEST_PROP(Session, ComesBackToTheSameBits, ()) {
     static Pool pool(1);
-    const auto limit = *rc::gen::element<std::size_t>(0, 200'000, 2'000'000, Session::moments_limit);
+    const auto limit = *rc::gen::element<std::size_t>(0, 200'000, 2'000'000, Session::checkpoints_limit);
     Session session({.setup = two_lanes()}, pool, limit);
     use(session);
     static const std::vector<std::uint64_t> digests = [] {
@@ -230,13 +230,13 @@ TEST(Session, RestartBeginsARecordingOfWhatIsSet) {
 
 TEST(Session, KeepsWithinItsMemory) {
     Pool pool(1);
-    KeptMoments kept(1'000'000);
+    CheckpointStore kept(1'000'000);
     Session session({.setup = two_lanes()}, pool);
     session.step();
     for (long step = 10; step <= 2000; step += 10) {
-        Moment moment;
-        moment.lanes.push_back(session.lane(0).moment());
-        if (kept.wants(step)) kept.keep(step, std::move(moment));
+        SessionCheckpoint checkpoint;
+        checkpoint.lanes.push_back(session.lane(0).checkpoint());
+        if (kept.wants(step)) kept.keep(step, std::move(checkpoint));
         ASSERT_LE(kept.bytes(), 1'000'000u);
     }
     EXPECT_GT(kept.bytes(), 250'000u) << "it uses what it has";
@@ -283,7 +283,7 @@ TEST(Session, OtherLanesGoOnWhenOneStops) {
                           {0, 1}});
     go(session, 400);
     EXPECT_FALSE(session.lane(0).failure());
-    EXPECT_TRUE(session.sound());
+    EXPECT_TRUE(session.running());
     EXPECT_EQ(session.step_number(), 400);
 }
 

@@ -77,7 +77,7 @@ TEST(Watch, KnowsTheStepThatLedToAnyMoment) {
     ASSERT_TRUE(eventually([&] { return player.newest().step > 25; }));
     // 20 is a moment that is kept whole.
     player.seek(20);
-    ASSERT_TRUE(eventually([&] { return player.newest().step == 20 && !player.sought(); }));
+    ASSERT_TRUE(eventually([&] { return player.newest().step == 20 && !player.seek_target(); }));
     const std::uint64_t digest = player.newest().digest();
     player.watch({.node = node, .limiters = true});
     ASSERT_TRUE(eventually([&] { return player.newest().step == 20 && explanation(player).has_value(); }));
@@ -86,14 +86,14 @@ TEST(Watch, KnowsTheStepThatLedToAnyMoment) {
     // And while it is watched.
     const std::string at_20 = write_text(*explanation(player));
     player.seek(10);
-    ASSERT_TRUE(eventually([&] { return player.newest().step == 10 && !player.sought(); }));
+    ASSERT_TRUE(eventually([&] { return player.newest().step == 10 && !player.seek_target(); }));
     EXPECT_TRUE(explanation(player));
     player.seek(20);
-    ASSERT_TRUE(eventually([&] { return player.newest().step == 20 && !player.sought(); }));
+    ASSERT_TRUE(eventually([&] { return player.newest().step == 20 && !player.seek_target(); }));
     EXPECT_EQ(write_text(*explanation(player)), at_20);
     // Nothing led to the start.
     player.seek(0);
-    ASSERT_TRUE(eventually([&] { return player.newest().step == 0 && !player.sought(); }));
+    ASSERT_TRUE(eventually([&] { return player.newest().step == 0 && !player.seek_target(); }));
     EXPECT_FALSE(explanation(player));
 }
 
@@ -103,12 +103,13 @@ TEST(Watch, AMomentThatWasChangedIsNotTakenAgainForEveryNode) {
     player.play(true);
     ASSERT_TRUE(eventually([&] { return player.newest().step > 12; }));
     player.seek(10);
-    ASSERT_TRUE(eventually([&] { return player.newest().step == 10 && !player.sought(); }));
+    ASSERT_TRUE(eventually([&] { return player.newest().step == 10 && !player.seek_target(); }));
     const std::uint64_t before = player.push(ObstacleStroke{.along = {5, 30, 10, 30}, .radius = 2});
     ASSERT_TRUE(eventually([&] { return player.newest().taken == before; }));
     std::vector<StepMeasures> measures;
     player.watch({.node = node, .limiters = false});
-    ASSERT_TRUE(eventually([&] { return player.newest().lanes[0].watched == node && !player.sought(); }));
+    ASSERT_TRUE(
+        eventually([&] { return player.newest().lanes[0].watched == node && !player.seek_target(); }));
     EXPECT_FALSE(explanation(player)) << "a wall was built since";
     player.take_measures(measures);
     measures.clear();

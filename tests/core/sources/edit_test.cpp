@@ -100,7 +100,7 @@ TEST_F(Edits, AVerbReplaysBitByBit) {
     const std::uint64_t digest = replay(recording, 1);
     EXPECT_EQ(replay(parse_run(write_run(recording), "run.toml"), 2), digest);
     Recording without = recording;
-    std::erase_if(without.commands, [](const Stamped& s) {
+    std::erase_if(without.commands, [](const TimedCommand& s) {
         const auto* edit = std::get_if<Edit>(&s.command);
         return edit != nullptr && edit->verb == Id<EditVerb>(stir_verb);
     });
@@ -108,9 +108,9 @@ TEST_F(Edits, AVerbReplaysBitByBit) {
 
     Pool pool(2);
     Session session({.setup = recording.setup}, pool);
-    for (const Stamped& stamped : recording.commands) {
-        while (session.step_number() < stamped.step) session.step();
-        session.apply(stamped.command);
+    for (const TimedCommand& timed : recording.commands) {
+        while (session.step_number() < timed.step) session.step();
+        session.apply(timed.command);
     }
     session.rewind(4);
     while (session.step_number() < recording.step) session.step();

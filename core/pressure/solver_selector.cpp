@@ -1,4 +1,4 @@
-#include "core/pressure/solver_keeper.h"
+#include "core/pressure/solver_selector.h"
 
 #include <utility>
 
@@ -11,19 +11,19 @@ constexpr std::string_view just_changed = "the walls have just changed";
 
 }  // namespace
 
-int SolverKeeper::projections_to_prepare(const Grid& grid) {
+int SolverSelector::projections_to_prepare(const Grid& grid) {
     constexpr int cells_a_projection = 4000;
     return 1 + grid.nx * grid.ny / cells_a_projection;
 }
 
-void SolverKeeper::choose(std::size_t index) {
+void SolverSelector::choose(std::size_t index) {
     if (chosen_ && index == index_) return;
     index_ = index;
     chosen_ = entry().create();
     prepared_ = false;
 }
 
-void SolverKeeper::follow(const Boundary& boundary, Change change, Pool& pool) {
+void SolverSelector::follow(const Boundary& boundary, Change change, Pool& pool) {
     const bool anew = !prepared_ || change == Change::Domain;
     prepared_ = true;
     if (!anew && change == Change::None) {
@@ -35,7 +35,7 @@ void SolverKeeper::follow(const Boundary& boundary, Change change, Pool& pool) {
         standing_in_ = returns_ = false;
         return;
     }
-    const std::string_view refusal = entry().refuses(boundary);
+    const std::string_view refusal = entry().unsupported_reason(boundary);
     const bool refused = !refusal.empty();
     returns_ = !anew && !refused && entry().slow_to_prepare;
     at_rest_ = 0;
@@ -47,7 +47,7 @@ void SolverKeeper::follow(const Boundary& boundary, Change change, Pool& pool) {
     }
 }
 
-void SolverKeeper::restore(const Memory& memory, const Boundary& boundary, bool same, Pool& pool) {
+void SolverSelector::restore(const Memory& memory, const Boundary& boundary, bool same, Pool& pool) {
     const bool as_it_is = same && this->memory().phase == Phase::Ready && memory.phase == Phase::Ready;
     if (as_it_is) return;
     prepared_ = returns_ = false;
@@ -59,15 +59,15 @@ void SolverKeeper::restore(const Memory& memory, const Boundary& boundary, bool 
     if (at_rest_ >= projections_at_rest) prepare_later(boundary);
 }
 
-void SolverKeeper::stand_in(const Boundary& boundary, std::string_view why_not, Pool& pool) {
+void SolverSelector::stand_in(const Boundary& boundary, std::string_view unsupported_reason, Pool& pool) {
     standing_in_ = true;
-    why_not_ = why_not;
+    unsupported_reason_ = unsupported_reason;
     if (!stand_in_) stand_in_ = std::make_unique<Automatic>();
     stand_in_->prepare(boundary, pool);
 }
 
 /// One preparation at a time: one that walls have outdated since is waited for on the new one's thread.
-void SolverKeeper::prepare_later(const Boundary& boundary) {
+void SolverSelector::prepare_later(const Boundary& boundary) {
     coming_ = std::async(std::launch::async,
                          [create = entry().create, boundary, outdated = std::move(coming_)]() mutable {
                              if (outdated.valid()) outdated.wait();

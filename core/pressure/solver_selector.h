@@ -13,7 +13,7 @@ namespace whorl {
 /// been at rest for a while. It is then prepared on a thread of its own and takes over a fixed number of
 /// projections later, waited for if need be: when a solver acts depends on the commands alone, so that a
 /// replay gives the same bits.
-class SolverKeeper {
+class SolverSelector {
   public:
     /// Projections without a change of the walls after which the chosen solver is prepared: a pause in
     /// painting.
@@ -44,18 +44,20 @@ class SolverKeeper {
 
     PressureSolver& solver() { return *(standing_in_ ? stand_in_ : chosen_); }
     /// Why another solver than the chosen one acts; empty if it does not.
-    std::string_view why_not() const { return standing_in_ ? why_not_ : std::string_view(); }
+    std::string_view unsupported_reason() const {
+        return standing_in_ ? unsupported_reason_ : std::string_view();
+    }
 
   private:
     const PressureSolverEntry& entry() const { return pressure_solvers()[index_]; }
-    void stand_in(const Boundary& boundary, std::string_view why_not, Pool& pool);
+    void stand_in(const Boundary& boundary, std::string_view unsupported_reason, Pool& pool);
     void prepare_later(const Boundary& boundary);
 
     std::size_t index_ = 0;
     std::unique_ptr<PressureSolver> chosen_, stand_in_;
     bool prepared_ = false;  ///< whether any solver is, since the choice
     bool standing_in_ = false;
-    std::string_view why_not_;
+    std::string_view unsupported_reason_;
     bool returns_ = false;  ///< whether the chosen solver takes over later
     int at_rest_ = 0;
     std::future<std::unique_ptr<PressureSolver>> coming_;
