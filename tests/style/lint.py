@@ -8,24 +8,21 @@ A group in which something is found, or whose files do not go together, is halve
 """
 import argparse
 import concurrent.futures
-import functools
 import hashlib
 import json
 import os
-import re
 import shlex
 import subprocess
 import sys
 import threading
 from pathlib import Path
 
+from together import INCLUDE, groups, headers
+
 ROOT = Path(__file__).resolve().parents[2]
 CLEAN = ROOT / "build/lint"
 GROUP = 12
 TIDY = ["clang-tidy", "--quiet", "--warnings-as-errors=*"]
-OUTPUT = re.compile(r" -o (\S+)")
-UNNAMED = re.compile(r"^namespace \{\n(.*?)^\}  // namespace$", re.DOTALL | re.MULTILINE)
-DECLARED = re.compile(r"^(?!namespace)(?:(?:struct|class|enum class|enum) (\w+)|[A-Za-z].*?([A-Za-z_]\w*)\s*[({=;\[])", re.MULTILINE)
 
 
 def flags_of(command):
@@ -40,23 +37,18 @@ def flags_of(command):
     return tuple(kept)
 
 
+def compiled(file):
+    """The files that a compile command is of: several where they are compiled together."""
+    return [Path(name) for name in INCLUDE.findall(file.read_text())] if "Unity" in file.parts else [file]
+
+
 class Sources:
     """The files of core and app, with how each is compiled and what it includes."""
 
     def __init__(self, build):
-        self.build = build
         commands = json.loads((build / "compile_commands.json").read_text())
-        objects = {OUTPUT.search(entry["command"])[1]: Path(entry["file"]) for entry in commands}
-        self.flags = {Path(entry["file"]): flags_of(entry["command"]) for entry in commands}
-        self.included = {}
-        file = None
-        for line in subprocess.run(["ninja", "-C", build, "-t", "deps"], capture_output=True, text=True).stdout.splitlines():
-            if line.startswith(" "):
-                if file is not None:
-                    self.included[file].append(Path(os.path.normpath(build / line.strip())))
-            elif ": #deps" in line:
-                file = objects.get(line.split(":")[0])
-                self.included.setdefault(file, [])
+        self.flags = {file: flags_of(entry["command"]) for entry in commands for file in compiled(Path(entry["file"]))}
+        self.included = {file: headers(file) for file in self.flags if file.exists() and file.is_relative_to(ROOT)}
         self.hashes = {}
 
     def all(self):
@@ -67,51 +59,19 @@ class Sources:
         """The file itself, or the one that a header is read with: its namesake if there is one."""
         if file in self.flags:
             return file
-        including = [unit for unit in self.all() if file in self.included.get(unit, [])]
+        including = [unit for unit in self.all() if file in self.included[unit]]
         return min(including, key=lambda unit: (unit.with_suffix("") != file.with_suffix(""), unit), default=None)
 
     def content(self, file):
-        """A file's hash; headers of the system are known by size and time."""
         if file not in self.hashes:
-            if not file.exists():
-                self.hashes[file] = "none"
-            elif file.is_relative_to(ROOT):
-                self.hashes[file] = hashlib.sha256(file.read_bytes()).hexdigest()
-            else:
-                self.hashes[file] = f"{file.stat().st_size} {file.stat().st_mtime_ns}"
+            self.hashes[file] = hashlib.sha256(file.read_bytes()).hexdigest()
         return self.hashes[file]
 
     def key(self, file, rules):
-        """What decides whether a file is clean: rules, flags, its text and that of all it includes."""
-        files = sorted({file, *self.included.get(file, [])})
+        """What decides whether a file is clean: rules, flags, its text and that of all of the project that it includes."""
+        files = sorted({file, *self.included[file]})
         text = [rules, *self.flags[file], *(f"{name} {self.content(name)}" for name in files)]
         return hashlib.sha256("\n".join(map(str, text)).encode()).hexdigest()
-
-
-def declared(text):
-    """The names that are declared at a line's head, as far as a glance tells."""
-    return {one or other for one, other in DECLARED.findall(text)}
-
-
-def groups(files, sources):
-    """Files that are compiled alike and use no name for two things, at most GROUP together."""
-    in_header = functools.cache(lambda header: declared(header.read_text()))
-    made = []
-    for file in files:
-        own = {name for body in UNNAMED.findall(file.read_text()) for name in declared(body)}
-        headers = [name for name in sources.included.get(file, []) if name.is_relative_to(ROOT) and name != file and name.exists()]
-        shared = set().union(*map(in_header, headers))
-        for group in made:
-            alike = group["flags"] == sources.flags[file] and len(group["files"]) < GROUP
-            if alike and not own & (group["own"] | group["shared"]) and not shared & group["own"]:
-                break
-        else:
-            group = {"flags": sources.flags[file], "files": [], "own": set(), "shared": set()}
-            made.append(group)
-        group["files"].append(file)
-        group["own"] |= own
-        group["shared"] |= shared
-    return sorted((group["files"] for group in made), key=len, reverse=True)
 
 
 def tidy(file, flags):
@@ -147,7 +107,7 @@ def main():
     unknown = [file for file in wanted if not (CLEAN / keys[file]).exists()]
     dirty = 0
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        for results in pool.map(lambda group: lint(group, sources), groups(unknown, sources)):
+        for results in pool.map(lambda group: lint(group, sources), groups(unknown, GROUP, sources.flags.get)):
             for file, clean, said in results:
                 if clean:
                     (CLEAN / keys[file]).touch()
