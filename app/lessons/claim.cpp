@@ -16,7 +16,7 @@ const Measure& claimed_measure(std::string_view key) {
 
 std::string describe(const Claim& claim, const Setup& setup) {
     const std::vector<std::string> names = titles(setup);
-    const auto of = [&](const Claim::Place& place) {
+    const auto of = [&](const LaneAtStep& place) {
         const std::string lane = setup.lanes.size() > 1 ? " of " + names[place.lane] : "";
         return claim.measure->key + lane + " at step " + std::to_string(place.step);
     };

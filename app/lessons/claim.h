@@ -13,18 +13,19 @@ namespace whorl::app {
 /// The measure of a key.  @throws InputError that names the nearest keys, and for times
 const Measure& claimed_measure(std::string_view key);
 
+/// A lane, by its place in the setup's, at a step.
+struct LaneAtStep {
+    std::size_t lane = 0;
+    long step = 0;
+    bool operator==(const LaneAtStep&) const = default;
+};
+
 /// A measure of a lane at a step, or its ratio to that of another lane or step, and between which numbers
 /// it is said to lie.
 struct Claim {
-    /// Of what: a lane, as a place in the setup's, and a step.
-    struct Place {
-        std::size_t lane = 0;
-        long step = 0;
-        bool operator==(const Place&) const = default;
-    };
     const Measure* measure = nullptr;
-    Place place;
-    std::optional<Place> over;  ///< what it is divided by
+    LaneAtStep place;
+    std::optional<LaneAtStep> over;  ///< what it is divided by
     double least, most;
     unsigned line = 0, column = 0;  ///< where in the lesson's text it stands
 

@@ -46,7 +46,7 @@ void LessonRun::run_to(long step) {
     }
 }
 
-double LessonRun::measure(const Measure& measure, const Claim::Place& place) const {
+double LessonRun::measure(const Measure& measure, const LaneAtStep& place) const {
     const auto at = [&](std::size_t step) {
         const std::vector<Measures>& lanes = measures_[step];
         // A recorded command may have taken the lane away.

@@ -25,7 +25,7 @@ class LessonRun {
     SessionSnapshot look(const LessonStep& step);
 
   private:
-    double measure(const Measure& measure, const Claim::Place& place) const;
+    double measure(const Measure& measure, const LaneAtStep& place) const;
     void run_to(long step);
 
     Pool& pool_;

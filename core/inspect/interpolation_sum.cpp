@@ -63,7 +63,7 @@ Sum cubic_sum(const Interpolation& scheme, std::string title, const Names& names
 class Patch {
   public:
     Patch(const Interpolation& scheme, const Field& q, std::string_view symbol, const Boundary& boundary,
-          const Place& at, bool x_first)
+          const PointInCell& at, bool x_first)
         : scheme_(scheme),
           q_(q),
           symbol_(symbol),
@@ -156,7 +156,7 @@ class Patch {
     const Field& q_;
     std::string_view symbol_;
     const Boundary& boundary_;
-    const Place& at_;
+    const PointInCell& at_;
     bool x_first_;
     Along along_x_, along_y_;
 };
@@ -173,7 +173,8 @@ std::string node_name(std::string_view symbol, const Field& q, const Boundary& b
 }
 
 Sum interpolation_sum(const Field& q, std::string_view symbol, const Boundary& boundary,
-                      const SchemeSet& schemes, const Place& at, Real value, std::vector<KernelNode>& nodes) {
+                      const SchemeSet& schemes, const PointInCell& at, Real value,
+                      std::vector<KernelNode>& nodes) {
     const Interpolation& scheme = schemes.interpolation.entry();
     const Patch patch(scheme, q, symbol, boundary, at, schemes.axis_order->x_first);
     nodes = patch.nodes();

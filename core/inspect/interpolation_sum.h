@@ -8,7 +8,7 @@
 namespace whorl {
 
 /// A place in a field.
-struct Place {
+struct PointInCell {
     int i, j;   ///< of the sample below and to the left of it
     Real x, y;  ///< from there, 0 to 1
 };
@@ -22,6 +22,7 @@ std::string node_name(std::string_view symbol, const Field& q, const Boundary& b
 /// @param value  as the solver has it
 /// @param nodes  gets what the scheme reads
 Sum interpolation_sum(const Field& q, std::string_view symbol, const Boundary& boundary,
-                      const SchemeSet& schemes, const Place& at, Real value, std::vector<KernelNode>& nodes);
+                      const SchemeSet& schemes, const PointInCell& at, Real value,
+                      std::vector<KernelNode>& nodes);
 
 }  // namespace whorl

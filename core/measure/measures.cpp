@@ -14,7 +14,7 @@ namespace {
 /// The samples in and around a row of cells.
 struct CellRow {
     const Real* density;
-    const Real* heat;
+    const Real* temperature;
     const Real* u;
     const Real* v;
     const Real* v_above;
@@ -25,7 +25,7 @@ void add_cell(const CellRow& cells, int i, RowSums& row) {
     const double rho = at(cells.density);
     const double left = at(cells.u), right = at(cells.u + 1), low = at(cells.v), high = at(cells.v_above);
     row.density += rho;
-    row.heat += at(cells.heat);
+    row.temperature += at(cells.temperature);
     row.min = std::min(row.min, rho);
     row.max = std::max(row.max, rho);
     row.speed = std::max({row.speed, std::abs(left), std::abs(right), std::abs(low), std::abs(high)});
@@ -38,14 +38,14 @@ int add_vectors(const CellRow& cells, int count, RowSums& row) {
     using Wide __attribute__((vector_size(lanes * sizeof(double)))) = double;
     const int end = count - count % lanes;
     if (end == 0) return 0;
-    Wide density{}, heat{};
+    Wide density{}, temperature{};
     T min = load<T>(cells.density), max = min, speed{};
     for (int i = 0; i < end; i += lanes) {
         const T rho = load<T>(cells.density + i);
         min = smaller(rho, min);
         max = larger(rho, max);
         density += __builtin_convertvector(rho, Wide);
-        heat += __builtin_convertvector(load<T>(cells.heat + i), Wide);
+        temperature += __builtin_convertvector(load<T>(cells.temperature + i), Wide);
         for (const Real* face : {cells.u, cells.u + 1, cells.v, cells.v_above}) {
             const T velocity = load<T>(face + i);
             speed = larger(larger(velocity, -velocity), speed);
@@ -53,7 +53,7 @@ int add_vectors(const CellRow& cells, int count, RowSums& row) {
     }
     for (int k = 0; k < lanes; ++k) {
         row.density += density[k];
-        row.heat += heat[k];
+        row.temperature += temperature[k];
         row.min = std::min(row.min, static_cast<double>(min[k]));
         row.max = std::max(row.max, static_cast<double>(max[k]));
         row.speed = std::max(row.speed, static_cast<double>(speed[k]));
@@ -99,7 +99,7 @@ void StateReducer::measure(const State& state, const FlowSums& flow, double dt, 
     RowSums sum;
     for (const RowSums& row : rows_) {
         sum.density += row.density;
-        sum.heat += row.heat;
+        sum.temperature += row.temperature;
         sum.min = std::min(sum.min, row.min);
         sum.max = std::max(sum.max, row.max);
         sum.speed = std::max(sum.speed, row.speed);
@@ -108,7 +108,7 @@ void StateReducer::measure(const State& state, const FlowSums& flow, double dt, 
     out.percent.resize(state.scalars.size());
     for (std::size_t k = 0; k < state.scalars.size(); ++k) {
         const double in_all = k == 0   ? sum.density * grid.cell()
-                              : k == 1 ? sum.heat * grid.cell()
+                              : k == 1 ? sum.temperature * grid.cell()
                                        : total(state.scalars[k], boundary);
         finite_ = finite_ && std::isfinite(in_all);
         out.percent[k] = state.injected[k] > 0 ? 100 * in_all / state.injected[k]

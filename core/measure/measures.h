@@ -75,7 +75,7 @@ std::string not_finite(const State& state);
 
 /// What is summed over a row of cells; rows are added up in order, so that threads do not change the result.
 struct RowSums {
-    double density = 0, heat = 0;
+    double density = 0, temperature = 0;
     double min = std::numeric_limits<double>::infinity(), max = -min, speed = 0;
 };
 

@@ -279,7 +279,7 @@ double Parameter::parse(std::string_view text) const {
     if (kind == Kind::Switch) {
         if (text == "true" || text == "on" || text == "1") return 1;
         if (text == "false" || text == "off" || text == "0") return 0;
-        throw InputError(key + " = " + std::string(text) + " is not a truth: give true or false");
+        throw InputError(key + " = " + std::string(text) + " is neither true nor false");
     }
     if (kind == Kind::Choice) {
         std::vector<std::string_view> keys;

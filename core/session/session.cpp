@@ -42,7 +42,7 @@ void Session::begin() {
 void Session::step() {
     ++step_;
     time_ += setup_.scene.dt;
-    for (Place& place : lanes_) place.lane->step_to(time_);
+    for (LaneSlot& slot : lanes_) slot.lane->step_to(time_);
     observe();
     last_step_ = std::max(last_step_, step_);
     if (kept_.wants(step_)) kept_.keep(step_, checkpoint());
@@ -86,7 +86,7 @@ void Session::apply(const Command& command) {
 
 void Session::act(const Command& command) {
     if (const auto* edit = std::get_if<Edit>(&command)) {
-        for (Place& place : lanes_) place.lane->simulation().apply(*edit);
+        for (LaneSlot& slot : lanes_) slot.lane->simulation().apply(*edit);
     } else if (const auto* change = std::get_if<SetParameter>(&command)) {
         Setup changed = setup_;
         set_parameter(changed.scene, change->key, change->value);
@@ -108,7 +108,7 @@ void Session::arrange(const Arrange& a) {
     const auto known = [&](int from) { return from >= 0 && from < static_cast<int>(lanes_.size()); };
     if (a.from.size() != a.lanes.size() || !std::all_of(a.from.begin(), a.from.end(), known))
         throw InputError("each lane goes on from one of the present " + std::to_string(lanes_.size()));
-    std::vector<Place> arranged;
+    std::vector<LaneSlot> arranged;
     for (std::size_t k = 0; k < scenes.size(); ++k) {
         const int from = a.from[k];
         const bool moves = std::find(a.from.begin(), a.from.begin() + static_cast<std::ptrdiff_t>(k), from) ==
@@ -118,7 +118,7 @@ void Session::arrange(const Arrange& a) {
         } else {
             // The lane that it goes on from has moved to where `from` was named first.
             const auto first = std::find(a.from.begin(), a.from.end(), from) - a.from.begin();
-            const Place& other = arranged[static_cast<std::size_t>(first)];
+            const LaneSlot& other = arranged[static_cast<std::size_t>(first)];
             const LaneCheckpoint checkpoint = other.lane->checkpoint();
             std::vector<Reduced> reduced = other.reduced;
             arranged.push_back({std::make_unique<Lane>(checkpoint.simulation.scene, *pool_), next_id_++, {}});
@@ -141,20 +141,21 @@ void Session::rewind(long step) {
     acted_ = kept->acted;
     setup_ = kept->setup;
     next_id_ = kept->next_id;
-    std::vector<Place> places;
+    std::vector<LaneSlot> slots;
     for (std::size_t k = 0; k < kept->lanes.size(); ++k) {
-        const auto same = std::find_if(lanes_.begin(), lanes_.end(), [&](const Place& place) {
-            return place.lane != nullptr && place.id == kept->ids[k];
+        const auto same = std::find_if(lanes_.begin(), lanes_.end(), [&](const LaneSlot& slot) {
+            return slot.lane != nullptr && slot.id == kept->ids[k];
         });
         // A lane that is still there has what it needs for its grid.
-        places.push_back(
-            same != lanes_.end()
-                ? std::move(*same)
-                : Place{std::make_unique<Lane>(kept->lanes[k].simulation.scene, *pool_), kept->ids[k], {}});
-        places.back().lane->restore(kept->lanes[k]);
-        places.back().limits.reset();
+        slots.push_back(same != lanes_.end()
+                            ? std::move(*same)
+                            : LaneSlot{std::make_unique<Lane>(kept->lanes[k].simulation.scene, *pool_),
+                                       kept->ids[k],
+                                       {}});
+        slots.back().lane->restore(kept->lanes[k]);
+        slots.back().limits.reset();
     }
-    lanes_ = std::move(places);
+    lanes_ = std::move(slots);
     observe();
     const std::string refusal = act_recorded();
     measure();
@@ -164,9 +165,9 @@ void Session::rewind(long step) {
 SessionCheckpoint Session::checkpoint() const {
     SessionCheckpoint checkpoint{
         .time = time_, .acted = acted_, .next_id = next_id_, .setup = setup_, .ids = {}, .lanes = {}};
-    for (const Place& place : lanes_) {
-        checkpoint.ids.push_back(place.id);
-        checkpoint.lanes.push_back(place.lane->checkpoint());
+    for (const LaneSlot& slot : lanes_) {
+        checkpoint.ids.push_back(slot.id);
+        checkpoint.lanes.push_back(slot.lane->checkpoint());
     }
     return checkpoint;
 }
@@ -200,32 +201,32 @@ bool Session::marks_limiters() const {
 
 /// After a step, before anything else changes its fields: what is asked for of it.
 void Session::observe() {
-    for (Place& place : lanes_) {
-        mark(place);
-        place.reduced.clear();
-        if (place.lane->failure()) continue;
+    for (LaneSlot& slot : lanes_) {
+        note_limiters(slot);
+        slot.reduced.clear();
+        if (slot.lane->failure()) continue;
         for (const Measure* measure : asked_) {
-            if (measure->row) place.reduced.push_back({measure, {}});
+            if (measure->row) slot.reduced.push_back({measure, {}});
         }
-        reducer_.reduce(place.lane->simulation().state(), *pool_, place.reduced);
+        reducer_.reduce(slot.lane->simulation().state(), *pool_, slot.reduced);
     }
 }
 
-void Session::mark(Place& place) {
-    const auto last = marks_limiters() ? place.lane->simulation().last_advection() : std::nullopt;
-    if (!last || place.lane->failure()) {
-        place.limits.reset();
+void Session::note_limiters(LaneSlot& slot) {
+    const auto last = marks_limiters() ? slot.lane->simulation().last_advection() : std::nullopt;
+    if (!last || slot.lane->failure()) {
+        slot.limits.reset();
         return;
     }
-    if (!place.limits) place.limits.emplace();
-    mark_limits(*last, *pool_, *place.limits);
+    if (!slot.limits) slot.limits.emplace();
+    mark_limits(*last, *pool_, *slot.limits);
 }
 
-const LimiterMarks* Session::limits(std::size_t k) const {
-    const Place& place = lanes_[k];
+const LimiterMasks* Session::limits(std::size_t k) const {
+    const LaneSlot& slot = lanes_[k];
     const bool fits =
-        place.limits && place.limits->density.same_shape(place.lane->simulation().state().density());
-    return fits ? &*place.limits : nullptr;
+        slot.limits && slot.limits->density.same_shape(slot.lane->simulation().state().density());
+    return fits ? &*slot.limits : nullptr;
 }
 
 void Session::measure() {
@@ -241,14 +242,14 @@ void Session::measure() {
 
 /// Where the exact solution is not known, the reference stands for it.
 void Session::measure_against(const Simulation& reference) {
-    for (Place& place : lanes_) {
-        const Simulation& s = place.lane->simulation();
-        if (&s == &reference || std::isfinite(place.measures.errors.L1) || place.lane->failure()) continue;
+    for (LaneSlot& slot : lanes_) {
+        const Simulation& s = slot.lane->simulation();
+        if (&s == &reference || std::isfinite(slot.measures.errors.L1) || slot.lane->failure()) continue;
         const Field& density = s.state().density();
         if (!averaged_.same_shape(density)) averaged_ = s.state().boundary.field(Site::Centre);
         averager_.average(reference.state().density(), reference.state().boundary, s.state().grid(),
                           averaged_);
-        place.measures.errors = errors(density, averaged_, s.state().boundary);
+        slot.measures.errors = errors(density, averaged_, s.state().boundary);
     }
 }
 
@@ -267,13 +268,13 @@ Recording Session::whole_recording() const {
 
 bool Session::running() const {
     return std::any_of(lanes_.begin(), lanes_.end(),
-                       [](const Place& place) { return !place.lane->failure().has_value(); });
+                       [](const LaneSlot& slot) { return !slot.lane->failure().has_value(); });
 }
 
 std::uint64_t Session::digest() const {
     Digest digest;
-    for (const Place& place : lanes_) {
-        const Simulation& simulation = place.lane->simulation();
+    for (const LaneSlot& slot : lanes_) {
+        const Simulation& simulation = slot.lane->simulation();
         digest.add(simulation.state(), simulation.memory_digest());
     }
     return digest.value();

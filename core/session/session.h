@@ -5,7 +5,7 @@
 #include <memory>
 #include <span>
 
-#include "core/inspect/limiter_marks.h"
+#include "core/inspect/limiter_masks.h"
 #include "core/measure/average.h"
 #include "core/measure/measure.h"
 #include "core/session/checkpoint_store.h"
@@ -63,7 +63,7 @@ class Session {
     /// A number that stays with a lane wherever it moves.
     int id(std::size_t k) const { return lanes_[k].id; }
     /// Where limiters acted in a lane's last step; null where that is not watched or not known.
-    const LimiterMarks* limits(std::size_t k) const;
+    const LimiterMasks* limits(std::size_t k) const;
     /// Of a lane's present state; its errors are against the exact solution, or else against the reference.
     const Measures& measures(std::size_t k) const { return lanes_[k].measures; }
     /// Whether any lane can be stepped on.
@@ -72,11 +72,11 @@ class Session {
     std::uint64_t digest() const;
 
   private:
-    struct Place {
+    struct LaneSlot {
         std::unique_ptr<Lane> lane;
         int id = 0;
         Measures measures;
-        std::optional<LimiterMarks> limits{};
+        std::optional<LimiterMasks> limits{};
         std::vector<Reduced> reduced{};  ///< of the last step
     };
 
@@ -87,7 +87,7 @@ class Session {
     void arrange(const Arrange& arrange);
     void measure();
     void observe();
-    void mark(Place& place);
+    void note_limiters(LaneSlot& slot);
     bool marks_limiters() const;
     void measure_against(const Simulation& reference);
     SessionCheckpoint checkpoint() const;
@@ -102,7 +102,7 @@ class Session {
     bool watches_limiters_ = false;
     std::vector<const Measure*> asked_;  ///< of those on demand
     int next_id_ = 0;
-    std::vector<Place> lanes_;
+    std::vector<LaneSlot> lanes_;
     CheckpointStore kept_;
     Reducer reducer_;
     Averager averager_;

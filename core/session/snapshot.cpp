@@ -60,7 +60,7 @@ void take_snapshot(const Session& session, const SessionSnapshot& last, Pool& po
         } else {
             take_snapshot(session.lane(k), pool, lane, node);
             lane.measures = session.measures(k);
-            if (const LimiterMarks* limits = session.limits(k)) {
+            if (const LimiterMasks* limits = session.limits(k)) {
                 lane.limits = *limits;
             } else {
                 lane.limits.reset();

@@ -21,7 +21,7 @@ struct Snapshot {
     bool has_exact = false;
     Measures measures;
     // Where that is watched, and known of the last step:
-    std::optional<LimiterMarks> limits;
+    std::optional<LimiterMasks> limits;
     std::optional<Explanation> explanation;  ///< of the watched node
     std::optional<Watch::Node> watched;      ///< that it is asked for
     std::optional<std::string> failure;      ///< why the lane has stopped; the fields are the last sound ones

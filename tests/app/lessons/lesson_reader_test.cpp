@@ -82,14 +82,14 @@ at_most = 1
     EXPECT_EQ(s.view, &view("difference"));
     EXPECT_EQ(s.mode, LessonMode::Wipe);
     ASSERT_EQ(s.claims.size(), 2u);
-    EXPECT_EQ(s.claims[0].place, (Claim::Place{1, 30}));
+    EXPECT_EQ(s.claims[0].place, (LaneAtStep{1, 30}));
     EXPECT_EQ(std::pair(s.claims[0].line, s.claims[0].column), std::pair(24u, 1u));
     EXPECT_EQ(std::pair(s.claims[1].line, s.claims[1].column), std::pair(29u, 1u));
     EXPECT_FALSE(s.claims[0].over);
     EXPECT_TRUE(s.claims[0].holds(2.0) && s.claims[0].holds(3.0));
     EXPECT_FALSE(s.claims[0].holds(1.9) || s.claims[0].holds(3.1) || s.claims[0].holds(std::nan("")));
-    EXPECT_EQ(s.claims[1].place, (Claim::Place{0, 7}));
-    EXPECT_EQ(s.claims[1].over, (Claim::Place{1, 0}));
+    EXPECT_EQ(s.claims[1].place, (LaneAtStep{0, 7}));
+    EXPECT_EQ(s.claims[1].over, (LaneAtStep{1, 0}));
     EXPECT_TRUE(s.claims[1].holds(-5));
 }
 

@@ -76,7 +76,7 @@ TEST(Parameters, ComplaintsNameWhatIsRight) {
     EXPECT_NE(complaint([&] { set_parameter(scene, "advector=mac"); }).find("did you mean maccormack"),
               std::string::npos);
     EXPECT_EQ(complaint([&] { set_parameter(scene, "clamped=maybe"); }),
-              "clamped = maybe is not a truth: give true or false");
+              "clamped = maybe is neither true nor false");
     EXPECT_EQ(complaint([&] { set_parameter(scene, "zeta"); }), "\"zeta\" is not of the form key=value");
     EXPECT_EQ(scene, Scene{}) << "a refused value changes nothing";
 }

@@ -156,7 +156,7 @@ TEST(Watch, LimitersAreCountedAtEveryStep) {
         EXPECT_EQ(counts.density, limiter_map(last, field::density, pool, density));
         EXPECT_EQ(counts.velocity,
                   limiter_map(last, field::u, pool, u) + limiter_map(last, field::v, pool, v));
-        const LimiterMarks& marks = *session.limits(0);
+        const LimiterMasks& marks = *session.limits(0);
         EXPECT_EQ(marks.density(8, 2), density(8, 2));
         EXPECT_EQ(marks.velocity(8, 2), (u(8, 2) + u(9, 2) + v(8, 2) + v(8, 3)) / 4);
         most = std::max(most, counts.velocity);

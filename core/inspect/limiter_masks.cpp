@@ -1,11 +1,11 @@
-#include "core/inspect/limiter_marks.h"
+#include "core/inspect/limiter_masks.h"
 
 #include "core/inspect/explain.h"
 #include "core/inspect/limiter_map.h"
 
 namespace whorl {
 
-void mark_limits(const LastAdvection& last, Pool& pool, LimiterMarks& marks) {
+void mark_limits(const LastAdvection& last, Pool& pool, LimiterMasks& marks) {
     marks.counts = {};
     const int density = limiter_map(last, field::density, pool, marks.density);
     if (unexplained(last.setup.scalars).empty()) marks.counts.density = density;
