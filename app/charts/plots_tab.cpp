@@ -7,6 +7,7 @@
 #include "app/charts/charts.h"
 #include "app/charts/measure_tabs.h"
 #include "app/ui/widgets.h"
+#include "app/views/views.h"
 #include "core/experiments/experiment.h"
 
 namespace whorl::app {
@@ -86,69 +87,101 @@ std::optional<Interval> range_of(const Chart& chart, const std::vector<Line>& li
     return {};
 }
 
-std::optional<double> draw(PanelContext& context, const Chart& chart, float height) {
-    const SessionSnapshot& session = context.client.session();
-    const std::vector<Line> lines = lines_of(chart, context.history, session, context.names);
-    std::vector<Series> series;
-    for (const Line& line : lines) {
-        Series one{line.label, context.theme.lane(line.colour), line.y};
-        one.x = line.x;
-        series.push_back(one);
-    }
-    const std::string unit = chart.unit();
-    Plot plot;
-    plot.title = chart.title;
-    plot.unit = unit;
-    plot.legend = session.lanes.size() == 1;
-    plot.log_y = chart.scale() == Scale::Logarithmic;
-    plot.y_range = range_of(chart, lines);
-    plot.marker = context.measures.marker;
-    if (chart.needs() == Needs::Reference) plot.empty_text = "nothing to compare with so far";
-    plot.size = {0, height};
-    return draw_on_card(context, plot, series);
-}
+class PlotsTab final : public Tab {
+  public:
+    PlotsTab(Ui& ui, const RunView& run, const History& history, const FrameLog& frames, MeasureView& view)
+        : ui_(ui), run_(run), history_(history), frames_(frames), view_(view) {}
 
-void norm_chips(PanelContext& context) {
-    const float gap = ImGui::GetStyle().ItemSpacing.x;
-    row_label(context.theme, "Error norm");
-    std::vector<const Measure*> norms;
-    for (const Measure* measure : measures().all()) {
-        if (measure->needs == Needs::Reference && measure->plot.page == Page::Plots) norms.push_back(measure);
+    void draw() override {
+        const Theme& theme = ui_.theme;
+        const SessionSnapshot& session = run_.session();
+        if (session.lanes.size() > 1 && has_errors(session)) norm_chips();
+        const std::vector<Chart> charts = charts_for(session, view_);
+        const float gap = ImGui::GetStyle().ItemSpacing.y;
+        const float room = ImGui::GetContentRegionAvail().y / static_cast<float>(charts.size() + 1) - gap;
+        const float height = std::floor(std::clamp(room, theme.px(118), theme.px(320)));
+        std::optional<double> hovered;
+        for (const Chart& chart : charts) {
+            const auto x = draw_chart(chart, height);
+            ui_.log.control("plot=" + chart.key);
+            if (x) hovered = x;
+        }
+        if (!frames_.intervals().empty()) draw_frame_time(height);
+        view_.marker = hovered;
     }
-    const auto count = static_cast<float>(norms.size());
-    const float width = std::floor((ImGui::GetContentRegionAvail().x - (count - 1) * gap) / count);
-    for (const Measure* norm : norms) {
-        if (norm != norms.front()) ImGui::SameLine();
-        if (chip(context.theme, norm->label().c_str(), context.measures.norm == norm, width))
-            context.measures.norm = norm;
-        const std::string key = "norm=" + norm->label();
-        context.log.control(key);
-        context.tooltip.item(context.theme, key,
+
+  private:
+    std::optional<double> draw_chart(const Chart& chart, float height) {
+        const SessionSnapshot& session = run_.session();
+        const std::vector<Line> lines = lines_of(chart, history_, session, run_.names());
+        std::vector<Series> series;
+        for (const Line& line : lines) {
+            Series one{line.label, ui_.theme.lane(line.colour), line.y};
+            one.x = line.x;
+            series.push_back(one);
+        }
+        const std::string unit = chart.unit();
+        Plot plot;
+        plot.title = chart.title;
+        plot.unit = unit;
+        plot.legend = session.lanes.size() == 1;
+        plot.log_y = chart.scale() == Scale::Logarithmic;
+        plot.y_range = range_of(chart, lines);
+        plot.marker = view_.marker;
+        if (chart.needs() == Needs::Reference) plot.empty_text = "nothing to compare with so far";
+        plot.size = {0, height};
+        return draw_on_card(ui_, plot, series);
+    }
+
+    void norm_chips() {
+        const float gap = ImGui::GetStyle().ItemSpacing.x;
+        row_label(ui_.theme, "Error norm");
+        std::vector<const Measure*> norms;
+        for (const Measure* measure : measures().all()) {
+            if (measure->needs == Needs::Reference && measure->plot.page == Page::Plots)
+                norms.push_back(measure);
+        }
+        const auto count = static_cast<float>(norms.size());
+        const float width = std::floor((ImGui::GetContentRegionAvail().x - (count - 1) * gap) / count);
+        for (const Measure* norm : norms) {
+            if (norm != norms.front()) ImGui::SameLine();
+            if (chip(ui_.theme, norm->label().c_str(), view_.norm == norm, width)) view_.norm = norm;
+            const std::string key = "norm=" + norm->label();
+            ui_.log.control(key);
+            ui_.tooltip.item(ui_.theme, key,
                              {"Error norm",
                               "Which error the lanes are compared by: L1 the mean, L2 the root of the mean "
                               "square, L∞ the largest.",
                               "", "thesis eq. 5.4, 5.6, 5.7", ""});
+        }
     }
-}
 
-void draw_frame_time(PanelContext& context, float height) {
-    const FrameLog& frames = context.frames;
-    char title[48];
-    std::snprintf(title, sizeof title, "Frame time · %.0f fps", frames.frames_per_second());
-    Plot plot;
-    plot.title = title;
-    plot.unit = "ms";
-    plot.x_name = "frame";
-    plot.x_first = static_cast<double>(frames.first());
-    plot.y_range =
-        Interval{0, std::max(25.0, 1.1 * static_cast<double>(*std::max_element(frames.intervals().begin(),
-                                                                               frames.intervals().end())))};
-    plot.size = {0, height};
-    const auto& colours = context.theme.palette.series;
-    const Series series[] = {{"frame", colours[0], frames.intervals()}, {"busy", colours[1], frames.work()}};
-    draw_on_card(context, plot, series);
-    context.log.control("plot=frame-time");
-}
+    void draw_frame_time(float height) {
+        const FrameLog& frames = frames_;
+        char title[48];
+        std::snprintf(title, sizeof title, "Frame time · %.0f fps", frames.frames_per_second());
+        Plot plot;
+        plot.title = title;
+        plot.unit = "ms";
+        plot.x_name = "frame";
+        plot.x_first = static_cast<double>(frames.first());
+        plot.y_range =
+            Interval{0, std::max(25.0, 1.1 * static_cast<double>(*std::max_element(
+                                                 frames.intervals().begin(), frames.intervals().end())))};
+        plot.size = {0, height};
+        const auto& colours = ui_.theme.palette.series;
+        const Series series[] = {{"frame", colours[0], frames.intervals()},
+                                 {"busy", colours[1], frames.work()}};
+        draw_on_card(ui_, plot, series);
+        ui_.log.control("plot=frame-time");
+    }
+
+    Ui& ui_;
+    const RunView& run_;
+    const History& history_;
+    const FrameLog& frames_;
+    MeasureView& view_;
+};
 
 }  // namespace
 
@@ -157,32 +190,13 @@ bool has_errors(const SessionSnapshot& session) {
            experiment(session.setup.scene.experiment).exact != nullptr;
 }
 
-std::optional<double> draw_on_card(PanelContext& context, const Plot& plot, std::span<const Series> series) {
+std::optional<double> draw_on_card(Ui& ui, const Plot& plot, std::span<const Series> series) {
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const ImVec2 high{low.x + ImGui::GetContentRegionAvail().x, low.y + plot.size.y};
-    context.backgrounds.add(*ImGui::GetWindowDrawList(), low, high, context.theme.px(5),
-                            context.theme.palette.card);
-    Theme bare = context.theme;
+    ui.backgrounds.add(*ImGui::GetWindowDrawList(), low, high, ui.theme.px(5), ui.theme.palette.card);
+    Theme bare = ui.theme;
     bare.palette.card = 0;
     return draw_plot(bare, plot, series);
-}
-
-void draw_plots_tab(PanelContext& context) {
-    const Theme& theme = context.theme;
-    const SessionSnapshot& session = context.client.session();
-    if (session.lanes.size() > 1 && has_errors(session)) norm_chips(context);
-    const std::vector<Chart> charts = charts_for(session, context.measures);
-    const float gap = ImGui::GetStyle().ItemSpacing.y;
-    const float room = ImGui::GetContentRegionAvail().y / static_cast<float>(charts.size() + 1) - gap;
-    const float height = std::floor(std::clamp(room, theme.px(118), theme.px(320)));
-    std::optional<double> hovered;
-    for (const Chart& chart : charts) {
-        const auto x = draw(context, chart, height);
-        context.log.control("plot=" + chart.key);
-        if (x) hovered = x;
-    }
-    if (!context.frames.intervals().empty()) draw_frame_time(context, height);
-    context.measures.marker = hovered;
 }
 
 std::vector<SheetPlot> plots_of(const History& history, const SessionSnapshot& session,
@@ -206,6 +220,11 @@ std::vector<SheetPlot> plots_of(const History& history, const SessionSnapshot& s
         plots.push_back(std::move(plot));
     }
     return plots;
+}
+
+std::unique_ptr<Tab> make_plots_tab(Ui& ui, const RunView& run, const History& history,
+                                    const FrameLog& frames, MeasureView& view) {
+    return std::make_unique<PlotsTab>(ui, run, history, frames, view);
 }
 
 }  // namespace whorl::app

@@ -107,140 +107,156 @@ float arrow_width() {
     return std::ceil(0.65f * ImGui::GetFontSize()) + ImGui::GetStyle().FramePadding.x;
 }
 
-/// Numbers have heads that are right-aligned as they are. ImGui's own would leave room for the arrow always.
-void head(PanelContext& context, const std::string& table, const std::string& label, const std::string& help,
-          bool numbers) {
-    const bool sorted = (ImGui::TableGetColumnFlags() & ImGuiTableColumnFlags_IsSorted) != 0;
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const float free = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(label.c_str()).x;
-    ImGui::TableHeader(("##" + label).c_str());
-    const std::string key = table + "=" + label;
-    context.log.control(key);
-    context.tooltip.item(context.theme, key, {label, help, "Click to sort.", "", ""});
-    const float left = numbers ? std::max(0.0f, free - (sorted ? arrow_width() : 0)) : 0;
-    ImGui::GetWindowDrawList()->AddText({std::floor(corner.x + left), corner.y}, context.theme.palette.text,
-                                        label.c_str());
-}
-
 /// Of a column of numbers, pixels: its head with the arrow, and four digits with an exponent.
 float number_width(const Theme& theme, const std::string& label) {
     return std::max(std::ceil(ImGui::CalcTextSize(label.c_str()).x) + arrow_width(), theme.px(46));
 }
 
-/// The lanes' column takes what the numbers leave.
-void heads(PanelContext& context, const Group& group) {
-    const Theme& theme = context.theme;
-    ImGui::PushFont(theme.small);
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(theme.px(2), ImGui::GetStyle().FramePadding.y));
-    ImGui::TableSetupColumn(group.title.c_str(),
-                            ImGuiTableColumnFlags_WidthStretch | ImGuiTableColumnFlags_DefaultSort);
-    for (const Measure* measure : group.columns)
-        ImGui::TableSetupColumn(measure->head().c_str(),
-                                ImGuiTableColumnFlags_WidthFixed | ImGuiTableColumnFlags_PreferSortDescending,
-                                number_width(theme, measure->head()));
-    ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
-    ImGui::TableSetColumnIndex(0);
-    head(context, group.title, group.title, "In the order of the lanes.", false);
-    for (std::size_t k = 0; k < group.columns.size(); ++k) {
-        ImGui::TableSetColumnIndex(static_cast<int>(k + 1));
-        head(context, group.title, group.columns[k]->head(), help(*group.columns[k]), true);
-    }
-    ImGui::PopStyleVar();
-    ImGui::PopFont();
-}
+class TableTab final : public Tab {
+  public:
+    TableTab(Ui& ui, const RunView& run, const History& history) : ui_(ui), run_(run), history_(history) {}
 
-void lane_cell(PanelContext& context, std::size_t place, const std::string& title) {
-    const Theme& theme = context.theme;
-    const float side = theme.px(9);
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float middle = at.y + 0.5f * ImGui::GetTextLineHeight();
-    ImGui::GetWindowDrawList()->AddRectFilled({at.x, middle - 0.5f * side},
-                                              {at.x + side, middle + 0.5f * side},
-                                              theme.lane(static_cast<int>(place)), theme.px(2));
-    ImGui::SetCursorScreenPos({at.x + side + theme.px(6), at.y});
-    const float room = ImGui::GetContentRegionAvail().x;
-    // The colour says enough where there is no room for some letters.
-    text(theme.palette.text, room > theme.px(24) ? fitted(title, room) : std::string());
-    const std::string key = "table-lane=" + std::to_string(place);
-    context.tooltip.item(theme, key, {title, "", "", "", ""});
-}
-
-/// As many digits as there is room for.
-void value_cell(PanelContext& context, double value, bool best) {
-    const Theme& theme = context.theme;
-    ImGui::PushFont(theme.mono);
-    const float room = ImGui::GetContentRegionAvail().x;
-    std::string shown = "–";
-    for (int digits = 4; digits > 1 && !std::isnan(value); --digits) {
-        shown = figure(value, digits);
-        if (ImGui::CalcTextSize(shown.c_str()).x <= room) break;
-    }
-    const float free = room - ImGui::CalcTextSize(shown.c_str()).x;
-    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, free));
-    if (best) ImGui::TableSetBgColor(ImGuiTableBgTarget_CellBg, faded(theme.palette.accent, 0.24f));
-    text(std::isnan(value) ? theme.palette.text_dim : theme.palette.text, shown);
-    ImGui::PopFont();
-}
-
-void draw_group(PanelContext& context, const Group& group) {
-    const SessionSnapshot& session = context.client.session();
-    std::vector<Row> rows;
-    for (std::size_t k = 0; k < session.lanes.size(); ++k)
-        rows.push_back({k, session.lanes[k].measures, context.history.lane(session.ids[k])});
-    std::vector<const Row*> sorted;
-    for (const Row& row : rows) sorted.push_back(&row);
-
-    constexpr ImGuiTableFlags flags = ImGuiTableFlags_Sortable | ImGuiTableFlags_RowBg |
-                                      ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_SizingFixedFit |
-                                      ImGuiTableFlags_NoSavedSettings;
-    const Theme& theme = context.theme;
-    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(theme.px(3), ImGui::GetStyle().CellPadding.y));
-    const bool open =
-        ImGui::BeginTable(group.title.c_str(), static_cast<int>(group.columns.size()) + 1, flags);
-    ImGui::PopStyleVar();
-    if (!open) return;
-    heads(context, group);
-    sort(sorted, group.columns);
-    for (const Row* row : sorted) {
-        ImGui::TableNextRow();
-        ImGui::TableSetColumnIndex(0);
-        lane_cell(context, row->place, context.names.name(row->place));
-        for (std::size_t k = 0; k < group.columns.size(); ++k) {
-            const Measure& measure = *group.columns[k];
-            ImGui::TableSetColumnIndex(static_cast<int>(k + 1));
-            const double value = row->value(measure);
-            const bool competes = rows.size() > 1 && static_cast<int>(row->place) != session.setup.reference;
-            const bool best =
-                competes && badness(measure.best, value) == best_of(measure, rows, session.setup.reference);
-            value_cell(context, value, best);
+    void draw() override {
+        const Theme& theme = ui_.theme;
+        const SessionSnapshot& session = run_.session();
+        for (const Group& group : groups()) {
+            const bool of_errors =
+                std::all_of(group.columns.begin(), group.columns.end(),
+                            [](const Measure* measure) { return measure->needs == Needs::Reference; });
+            if (of_errors && !has_errors(session)) continue;
+            draw_group(group);
         }
+        ImGui::PushFont(theme.small);
+        ImGui::PushTextWrapPos(0);
+        text(theme.palette.text_dim, session.lanes.size() > 1
+                                         ? "Click a head to sort, rest on it for what it means. The best of "
+                                           "a column is marked, where one "
+                                           "value is better than another."
+                                         : "Add lanes to compare. Rest on a head for what it means.");
+        ImGui::PopTextWrapPos();
+        ImGui::PopFont();
     }
-    ImGui::EndTable();
-    ImGui::Dummy({0, context.theme.px(6)});
-}
+
+  private:
+    /// Numbers have heads that are right-aligned as they are. ImGui's own would leave room for the arrow
+    /// always.
+    void head(const std::string& table, const std::string& label, const std::string& help, bool numbers) {
+        const bool sorted = (ImGui::TableGetColumnFlags() & ImGuiTableColumnFlags_IsSorted) != 0;
+        const ImVec2 corner = ImGui::GetCursorScreenPos();
+        const float free = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(label.c_str()).x;
+        ImGui::TableHeader(("##" + label).c_str());
+        const std::string key = table + "=" + label;
+        ui_.log.control(key);
+        ui_.tooltip.item(ui_.theme, key, {label, help, "Click to sort.", "", ""});
+        const float left = numbers ? std::max(0.0f, free - (sorted ? arrow_width() : 0)) : 0;
+        ImGui::GetWindowDrawList()->AddText({std::floor(corner.x + left), corner.y}, ui_.theme.palette.text,
+                                            label.c_str());
+    }
+
+    /// The lanes' column takes what the numbers leave.
+    void heads(const Group& group) {
+        const Theme& theme = ui_.theme;
+        ImGui::PushFont(theme.small);
+        ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                            ImVec2(theme.px(2), ImGui::GetStyle().FramePadding.y));
+        ImGui::TableSetupColumn(group.title.c_str(),
+                                ImGuiTableColumnFlags_WidthStretch | ImGuiTableColumnFlags_DefaultSort);
+        for (const Measure* measure : group.columns)
+            ImGui::TableSetupColumn(
+                measure->head().c_str(),
+                ImGuiTableColumnFlags_WidthFixed | ImGuiTableColumnFlags_PreferSortDescending,
+                number_width(theme, measure->head()));
+        ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+        ImGui::TableSetColumnIndex(0);
+        head(group.title, group.title, "In the order of the lanes.", false);
+        for (std::size_t k = 0; k < group.columns.size(); ++k) {
+            ImGui::TableSetColumnIndex(static_cast<int>(k + 1));
+            head(group.title, group.columns[k]->head(), help(*group.columns[k]), true);
+        }
+        ImGui::PopStyleVar();
+        ImGui::PopFont();
+    }
+
+    void lane_cell(std::size_t place, const std::string& title) {
+        const Theme& theme = ui_.theme;
+        const float side = theme.px(9);
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        const float middle = at.y + 0.5f * ImGui::GetTextLineHeight();
+        ImGui::GetWindowDrawList()->AddRectFilled({at.x, middle - 0.5f * side},
+                                                  {at.x + side, middle + 0.5f * side},
+                                                  theme.lane(static_cast<int>(place)), theme.px(2));
+        ImGui::SetCursorScreenPos({at.x + side + theme.px(6), at.y});
+        const float room = ImGui::GetContentRegionAvail().x;
+        // The colour says enough where there is no room for some letters.
+        text(theme.palette.text, room > theme.px(24) ? fitted(title, room) : std::string());
+        const std::string key = "table-lane=" + std::to_string(place);
+        ui_.tooltip.item(theme, key, {title, "", "", "", ""});
+    }
+
+    /// As many digits as there is room for.
+    void value_cell(double value, bool best) {
+        const Theme& theme = ui_.theme;
+        ImGui::PushFont(theme.mono);
+        const float room = ImGui::GetContentRegionAvail().x;
+        std::string shown = "–";
+        for (int digits = 4; digits > 1 && !std::isnan(value); --digits) {
+            shown = figure(value, digits);
+            if (ImGui::CalcTextSize(shown.c_str()).x <= room) break;
+        }
+        const float free = room - ImGui::CalcTextSize(shown.c_str()).x;
+        ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, free));
+        if (best) ImGui::TableSetBgColor(ImGuiTableBgTarget_CellBg, faded(theme.palette.accent, 0.24f));
+        text(std::isnan(value) ? theme.palette.text_dim : theme.palette.text, shown);
+        ImGui::PopFont();
+    }
+
+    void draw_group(const Group& group) {
+        const SessionSnapshot& session = run_.session();
+        std::vector<Row> rows;
+        for (std::size_t k = 0; k < session.lanes.size(); ++k)
+            rows.push_back({k, session.lanes[k].measures, history_.lane(session.ids[k])});
+        std::vector<const Row*> sorted;
+        for (const Row& row : rows) sorted.push_back(&row);
+
+        constexpr ImGuiTableFlags flags = ImGuiTableFlags_Sortable | ImGuiTableFlags_RowBg |
+                                          ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_SizingFixedFit |
+                                          ImGuiTableFlags_NoSavedSettings;
+        const Theme& theme = ui_.theme;
+        ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(theme.px(3), ImGui::GetStyle().CellPadding.y));
+        const bool open =
+            ImGui::BeginTable(group.title.c_str(), static_cast<int>(group.columns.size()) + 1, flags);
+        ImGui::PopStyleVar();
+        if (!open) return;
+        heads(group);
+        sort(sorted, group.columns);
+        for (const Row* row : sorted) {
+            ImGui::TableNextRow();
+            ImGui::TableSetColumnIndex(0);
+            lane_cell(row->place, run_.names().name(row->place));
+            for (std::size_t k = 0; k < group.columns.size(); ++k) {
+                const Measure& measure = *group.columns[k];
+                ImGui::TableSetColumnIndex(static_cast<int>(k + 1));
+                const double value = row->value(measure);
+                const bool competes =
+                    rows.size() > 1 && static_cast<int>(row->place) != session.setup.reference;
+                const bool best = competes && badness(measure.best, value) ==
+                                                  best_of(measure, rows, session.setup.reference);
+                value_cell(value, best);
+            }
+        }
+        ImGui::EndTable();
+        ImGui::Dummy({0, ui_.theme.px(6)});
+    }
+
+    Ui& ui_;
+    const RunView& run_;
+    const History& history_;
+};
 
 }  // namespace
 
-void draw_table_tab(PanelContext& context) {
-    const Theme& theme = context.theme;
-    const SessionSnapshot& session = context.client.session();
-    for (const Group& group : groups()) {
-        const bool of_errors =
-            std::all_of(group.columns.begin(), group.columns.end(),
-                        [](const Measure* measure) { return measure->needs == Needs::Reference; });
-        if (of_errors && !has_errors(session)) continue;
-        draw_group(context, group);
-    }
-    ImGui::PushFont(theme.small);
-    ImGui::PushTextWrapPos(0);
-    text(
-        theme.palette.text_dim,
-        session.lanes.size() > 1
-            ? "Click a head to sort, rest on it for what it means. The best of a column is marked, where one "
-              "value is better than another."
-            : "Add lanes to compare. Rest on a head for what it means.");
-    ImGui::PopTextWrapPos();
-    ImGui::PopFont();
+std::unique_ptr<Tab> make_table_tab(Ui& ui, const RunView& run, const History& history) {
+    return std::make_unique<TableTab>(ui, run, history);
 }
 
 }  // namespace whorl::app

@@ -2,8 +2,6 @@
 
 #include <imgui.h>
 
-#include "app/charts/measure_column.h"
-#include "app/charts/panel_context.h"
 #include "app/panels/field_layout.h"
 #include "app/panels/list.h"
 #include "app/window/lists.h"
@@ -53,6 +51,7 @@ Features::Features(const Theme& theme, Player& player, EventLog& log, Notificati
       services{ui, run, view, fields, history, frames, files, right_column, labs, shared},
       controls(ui, run, frames),
       field_area(ui, run, view, fields, layers),
+      measure_column(services, measures),
       lessons(run, view),
       lesson_panel(ui, lessons, right_column),
       tour_card(ui, tour),
@@ -161,9 +160,7 @@ void Features::draw_measures() {
         right_column.lessons = lessons.open();
         return;
     }
-    PanelContext context{ui.theme,     ui.log,   ui.tooltip, ui.backgrounds, run,        view,
-                         right_column, measures, history,    frames,         run.names()};
-    draw_measure_column(context);
+    measure_column.draw();
 }
 
 }  // namespace whorl::app

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "app/charts/measure_view.h"
+#include "app/charts/measure_column.h"
 #include "app/inspector/inspection.h"
 #include "app/panels/control_column.h"
 #include "app/panels/dialogs.h"
@@ -63,6 +63,7 @@ class Features {
     ControlColumn controls;
     FieldArea field_area;
     MeasureView measures;
+    MeasureColumn measure_column;
     LessonPlayer lessons;
     LessonPanel lesson_panel;
     Tour tour;
