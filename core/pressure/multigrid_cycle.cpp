@@ -48,7 +48,7 @@ void down_band(Level& level, CoarseLevel& coarse, int begin, int end, int unit) 
     const Ring once{&scratch, unit * rows_of_scratch};
     const Ring beside{&scratch, unit * rows_of_scratch + 4};
     const Ring left{&scratch, unit * rows_of_scratch + 8};
-    const Ring adopted{&scratch, unit * rows_of_scratch + 12};
+    const Ring orphans{&scratch, unit * rows_of_scratch + 12};
     // Rows inside the band are kept, those beside it are needed on the way alone.
     const auto twice = [&](int t) { return t >= 2 * begin && t < last ? level.work.half.row(t) : beside[t]; };
     // With an odd number of wrapped rows the last coarse row has no upper children.
@@ -65,8 +65,8 @@ void down_band(Level& level, CoarseLevel& coarse, int begin, int end, int unit) 
             level.residual(j, twice(t - 3), twice(t - 2), twice(t - 1), out);
         });
         if (const int j = shape.row(t - 2); j >= 0) {
-            for (const Adoptions::Adoption& child : coarse.adoptions.in_row(j))
-                adopted[t - 2][child.i] = std::exchange(left[t - 2][child.i], 0.0F);
+            for (const Aggregation::Orphan& child : coarse.aggregation.in_row(j))
+                orphans[t - 2][child.i] = std::exchange(left[t - 2][child.i], 0.0F);
         }
         border_of_children(left[t - 2], shape.nx, shape.wraps_x);
         const int parent = (t - 4) / 2;
@@ -85,11 +85,11 @@ void down_band(Level& level, CoarseLevel& coarse, int begin, int end, int unit) 
         }
         rows::gather(coarse.corner_weights(parent), below, left[2 * parent], high, above,
                      coarse.b.row(parent), coarse.shape.nx);
-        for (const Adoptions::Adoption& child : coarse.adoptions.by_row(parent)) {
+        for (const Aggregation::Orphan& child : coarse.aggregation.by_row(parent)) {
             int row = child.j;  // one of four around this parent, perhaps wrapped
             if (row > 2 * parent + 2) row -= shape.ny;
             if (row < 2 * parent - 1) row += shape.ny;
-            coarse.b.row(parent)[child.parent_i] += adopted[row][child.i];
+            coarse.b.row(parent)[child.parent_i] += orphans[row][child.i];
         }
     }
 }
@@ -112,7 +112,7 @@ void up_band(Level& level, const CoarseLevel& coarse, int begin, int end, int un
             rows::carry(lean.across, lower ? lean.south : lean.north, parents,
                         at < 0 ? parents : coarse.work.whole.row(at), level.work.half.row(j), out,
                         coarse.shape.nx);
-            for (const Adoptions::Adoption& child : coarse.adoptions.in_row(j)) {
+            for (const Aggregation::Orphan& child : coarse.aggregation.in_row(j)) {
                 const float given =
                     child.parent_i < 0 ? 0 : coarse.work.whole.row(child.parent_j)[child.parent_i];
                 out[child.i] = level.work.half.row(j)[child.i] + given;

@@ -76,10 +76,10 @@ void coarsen(const LevelShape& fine, CoarseLevel& level, bool walls, Pool& pool,
             }
         }
     });
-    level.adoptions.clear();
+    level.aggregation.clear();
     if (walls) {
-        level.adoptions.find(fine, shape, open_x, open_y);
-        level.adoptions.move_faces(open_x, open_y, [&](int i0, int j0, int i1, int j1, float amount) {
+        level.aggregation.find(fine, shape, open_x, open_y);
+        level.aggregation.move_faces(open_x, open_y, [&](int i0, int j0, int i1, int j1, float amount) {
             change_face(level, i0, j0, i1, j1, amount);
         });
     }

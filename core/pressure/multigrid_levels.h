@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/pressure/coarse_rows.h"
-#include "core/pressure/multigrid_adoption.h"
+#include "core/pressure/multigrid_aggregation.h"
 #include "core/pressure/padded_rows.h"
 #include "core/pressure/poisson.h"
 
@@ -42,7 +42,7 @@ struct CoarseLevel {
     PaddedRows along;    ///< faces that y crosses: ny + 1 rows
     PaddedRows inverse;  ///< 1 / Σ of a cell's faces, 0 if none is open
     PaddedRows lean_across, lean_along;
-    Adoptions adoptions;  ///< of the finer grid's cells
+    Aggregation aggregation;  ///< of the finer grid's cells
     PaddedRows b;
     LevelWork work;
 

@@ -24,17 +24,17 @@ struct LevelShape {
 /// Where four children are not connected inside their coarse cell, the larger part keeps it. Each other child
 /// goes to the coarse cell behind one of its open faces. So both sides of a wall of one cell stay apart on
 /// coarse grids, where they would else be one, and corrections on one side leak to the other.
-class Adoptions {
+class Aggregation {
   public:
-    struct Adoption {
+    struct Orphan {
         int i, j;                     ///< the child
         int parent_i, parent_j = -1;  ///< −1: none takes it, and smoothing alone corrects it
     };
     struct Range {
-        const Adoption* first;
-        const Adoption* last;
-        const Adoption* begin() const { return first; }
-        const Adoption* end() const { return last; }
+        const Orphan* first;
+        const Orphan* last;
+        const Orphan* begin() const { return first; }
+        const Orphan* end() const { return last; }
     };
 
     /// @param open_x `open_x(i, j)`, the coefficient of the fine face between cells i − 1 and i; `open_y`
@@ -43,64 +43,66 @@ class Adoptions {
     void find(const LevelShape& fine, const LevelShape& coarse, X&& open_x, Y&& open_y);
     void clear();
 
-    /// Adopted cells of a row of children, and those that a row of parents has adopted.
+    /// Orphans of a row of children, and those that a row of new parents has.
     Range in_row(int j) const { return range(of_row_, row_starts_, j); }
     Range by_row(int parent_j) const { return range(of_parent_, parent_starts_, parent_j); }
 
-    /// Moves the faces of adopted children to their new parents: calls `change(i0, j0, i1, j1, amount)` for
+    /// Moves the faces of orphans to their new parents: calls `change(i0, j0, i1, j1, amount)` for
     /// pairs of coarse cells, the second one to the right of or above the first one or wrapped.
     template <class X, class Y, class Change>
     void move_faces(X&& open_x, Y&& open_y, Change&& change) const;
 
   private:
     /// Who has a child: the cell it lies in, one of that cell's neighbours, or none.
-    enum Home : std::uint8_t { Own, West, East, South, North, None, Undecided };
+    enum ParentSide : std::uint8_t { Own, West, East, South, North, None, Undecided };
     struct Cell {
         int i, j;
         bool operator==(const Cell&) const = default;
     };
 
-    static Range range(const std::vector<Adoption>& all, const std::vector<int>& starts, int row) {
+    static Range range(const std::vector<Orphan>& all, const std::vector<int>& starts, int row) {
         if (starts.empty()) return {nullptr, nullptr};
         return {all.data() + starts[row], all.data() + starts[row + 1]};
     }
-    Home& home(Cell c) { return homes_[static_cast<std::size_t>(c.j) * fine_.nx + c.i]; }
-    Home home(Cell c) const { return homes_[static_cast<std::size_t>(c.j) * fine_.nx + c.i]; }
+    ParentSide& parent_side(Cell c) { return parent_sides_[static_cast<std::size_t>(c.j) * fine_.nx + c.i]; }
+    ParentSide parent_side(Cell c) const {
+        return parent_sides_[static_cast<std::size_t>(c.j) * fine_.nx + c.i];
+    }
     /// The cell beside one of the fine grid; {−1, −1} outside a box.
-    Cell beside(Cell c, Home side) const;
+    Cell beside(Cell c, ParentSide side) const;
     Cell parent(Cell child) const;
     /// Whether two children of the coarse cell that begins at `corner` are connected inside it and the ring
     /// of fine cells around it. If so, they differ by little, and may share their coarse cell after all.
     template <class X, class Y>
     bool meets_nearby(Cell from, Cell to, Cell corner, X&& open_x, Y&& open_y) const;
     template <class X, class Y>
-    static float face(Cell c, Home side, X&& open_x, Y&& open_y) {
+    static float face(Cell c, ParentSide side, X&& open_x, Y&& open_y) {
         return side == West    ? open_x(c.i, c.j)
                : side == East  ? open_x(c.i + 1, c.j)
                : side == South ? open_y(c.i, c.j)
                                : open_y(c.i, c.j + 1);
     }
-    static Home outward(Cell child, bool across) {
+    static ParentSide outward(Cell child, bool across) {
         if (across) return child.i % 2 == 0 ? West : East;
         return child.j % 2 == 0 ? South : North;
     }
     /// Notes the children of the coarse cell that begins at `corner` which are not connected to its larger
     /// part.
     template <class X, class Y>
-    void find_strays(Cell corner, X&& open_x, Y&& open_y);
+    void find_orphans(Cell corner, X&& open_x, Y&& open_y);
     template <class X, class Y>
-    void find_homes(X&& open_x, Y&& open_y);
+    void find_parents(X&& open_x, Y&& open_y);
     void list();
 
     LevelShape fine_, coarse_;
-    std::vector<Home> homes_;
-    std::vector<Cell> strays_;
-    std::vector<Adoption> of_row_, of_parent_;
+    std::vector<ParentSide> parent_sides_;
+    std::vector<Cell> orphans_;
+    std::vector<Orphan> of_row_, of_parent_;
     std::vector<int> row_starts_, parent_starts_;
 };
 
 template <class X, class Y>
-void Adoptions::find(const LevelShape& fine, const LevelShape& coarse, X&& open_x, Y&& open_y) {
+void Aggregation::find(const LevelShape& fine, const LevelShape& coarse, X&& open_x, Y&& open_y) {
     clear();
     fine_ = fine;
     coarse_ = coarse;
@@ -109,14 +111,14 @@ void Adoptions::find(const LevelShape& fine, const LevelShape& coarse, X&& open_
         (fine.wraps_y && (coarse.ny <= 2 || fine.ny % 2)))
         return;
     for (int j = 0; j < fine.ny; j += 2) {
-        for (int i = 0; i < fine.nx; i += 2) find_strays({i, j}, open_x, open_y);
+        for (int i = 0; i < fine.nx; i += 2) find_orphans({i, j}, open_x, open_y);
     }
-    find_homes(open_x, open_y);
+    find_parents(open_x, open_y);
     list();
 }
 
 template <class X, class Y>
-void Adoptions::find_strays(Cell corner, X&& open_x, Y&& open_y) {
+void Aggregation::find_orphans(Cell corner, X&& open_x, Y&& open_y) {
     const int i = corner.i, j = corner.j;
     const bool two_x = i + 1 < fine_.nx;
     const bool two_y = j + 1 < fine_.ny;
@@ -149,44 +151,48 @@ void Adoptions::find_strays(Cell corner, X&& open_x, Y&& open_y) {
         const Cell c = cells[k];
         if (c.i >= fine_.nx || c.j >= fine_.ny) continue;
         if (meets_nearby(c, cells[main], corner, open_x, open_y)) continue;
-        if (homes_.empty()) homes_.assign(static_cast<std::size_t>(fine_.nx) * fine_.ny, Own);
-        home(c) = Undecided;
-        strays_.push_back(c);
+        if (parent_sides_.empty()) parent_sides_.assign(static_cast<std::size_t>(fine_.nx) * fine_.ny, Own);
+        parent_side(c) = Undecided;
+        orphans_.push_back(c);
     }
 }
 
 template <class X, class Y>
-void Adoptions::find_homes(X&& open_x, Y&& open_y) {
-    // Next door, if who lives there is at home; then to where the other child of the same part went.
-    for (const Cell c : strays_) {
+void Aggregation::find_parents(X&& open_x, Y&& open_y) {
+    // To the cell beside it, if that keeps its own parent; then to where the other child of the same part
+    // went.
+    for (const Cell c : orphans_) {
         float most = 0;
-        Home to = Undecided;
+        ParentSide to = Undecided;
         for (const bool across : {true, false}) {
-            const Home side = outward(c, across);
+            const ParentSide side = outward(c, across);
             const float open = face(c, side, open_x, open_y);
-            if (!(open > most) || home(beside(c, side)) != Own) continue;
+            if (!(open > most) || parent_side(beside(c, side)) != Own) continue;
             most = open;
             to = side;
         }
-        home(c) = to;
+        parent_side(c) = to;
     }
-    for (const Cell c : strays_) {
-        if (home(c) != Undecided) continue;
+    for (const Cell c : orphans_) {
+        if (parent_side(c) != Undecided) continue;
         for (const bool across : {true, false}) {
-            const Home side = outward(c, across);
-            const Home inward = side == West ? East : side == East ? West : side == South ? North : South;
+            const ParentSide side = outward(c, across);
+            const ParentSide inward = side == West    ? East
+                                      : side == East  ? West
+                                      : side == South ? North
+                                                      : South;
             if (!(face(c, inward, open_x, open_y) > 0)) continue;
-            const Home sibling = home(beside(c, inward));
-            if (sibling >= West && sibling <= North) home(c) = sibling;
+            const ParentSide sibling = parent_side(beside(c, inward));
+            if (sibling >= West && sibling <= North) parent_side(c) = sibling;
         }
     }
-    for (const Cell c : strays_) {
-        if (home(c) == Undecided) home(c) = None;
+    for (const Cell c : orphans_) {
+        if (parent_side(c) == Undecided) parent_side(c) = None;
     }
 }
 
 template <class X, class Y>
-bool Adoptions::meets_nearby(Cell from, Cell to, Cell corner, X&& open_x, Y&& open_y) const {
+bool Aggregation::meets_nearby(Cell from, Cell to, Cell corner, X&& open_x, Y&& open_y) const {
     constexpr int width = 4;
     Cell todo[width * width] = {from};
     bool seen[width][width] = {};
@@ -201,7 +207,7 @@ bool Adoptions::meets_nearby(Cell from, Cell to, Cell corner, X&& open_x, Y&& op
                      at.j < 0 || at.j >= fine_.ny
                          ? beside({0, at.j < 0 ? 0 : fine_.ny - 1}, at.j < 0 ? South : North).j
                          : at.j};
-        for (const Home side : {West, East, South, North}) {
+        for (const ParentSide side : {West, East, South, North}) {
             const Cell next{at.i + (side == East) - (side == West), at.j + (side == North) - (side == South)};
             const int x = next.i - corner.i + 1;
             const int y = next.j - corner.j + 1;
@@ -215,13 +221,13 @@ bool Adoptions::meets_nearby(Cell from, Cell to, Cell corner, X&& open_x, Y&& op
 }
 
 template <class X, class Y, class Change>
-void Adoptions::move_faces(X&& open_x, Y&& open_y, Change&& change) const {
-    for (const Cell c : strays_) {
-        for (const Home side : {West, East, South, North}) {
+void Aggregation::move_faces(X&& open_x, Y&& open_y, Change&& change) const {
+    for (const Cell c : orphans_) {
+        for (const ParentSide side : {West, East, South, North}) {
             const float open = face(c, side, open_x, open_y);
             if (!(open > 0)) continue;
             const Cell other = beside(c, side);
-            const bool both = home(other) != Own;
+            const bool both = parent_side(other) != Own;
             if (both && (other.j < c.j || (other.j == c.j && other.i < c.i))) continue;  // once is enough
             const Cell lies{c.i / 2, c.j / 2};
             const Cell other_lies{other.i / 2, other.j / 2};

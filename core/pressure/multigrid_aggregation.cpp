@@ -1,4 +1,4 @@
-#include "core/pressure/multigrid_adoption.h"
+#include "core/pressure/multigrid_aggregation.h"
 
 #include <algorithm>
 
@@ -7,9 +7,9 @@ namespace {
 
 /// Where each row starts in a list sorted by rows.
 template <class RowOf>
-std::vector<int> starts(const std::vector<Adoptions::Adoption>& all, int rows, RowOf&& row_of) {
+std::vector<int> starts(const std::vector<Aggregation::Orphan>& all, int rows, RowOf&& row_of) {
     std::vector<int> first(static_cast<std::size_t>(rows) + 1, 0);
-    for (const Adoptions::Adoption& each : all) ++first[static_cast<std::size_t>(row_of(each)) + 1];
+    for (const Aggregation::Orphan& each : all) ++first[static_cast<std::size_t>(row_of(each)) + 1];
     for (int row = 0; row < rows; ++row) first[row + 1] += first[row];
     return first;
 }
@@ -21,32 +21,32 @@ int wrapped(int i, int n, bool wraps) {
 
 }  // namespace
 
-void Adoptions::clear() {
-    homes_.clear();
-    strays_.clear();
+void Aggregation::clear() {
+    parent_sides_.clear();
+    orphans_.clear();
     of_row_.clear();
     of_parent_.clear();
     row_starts_.clear();
     parent_starts_.clear();
 }
 
-Adoptions::Cell Adoptions::beside(Cell c, Home side) const {
+Aggregation::Cell Aggregation::beside(Cell c, ParentSide side) const {
     const int i = wrapped(c.i + (side == East) - (side == West), fine_.nx, fine_.wraps_x);
     const int j = wrapped(c.j + (side == North) - (side == South), fine_.ny, fine_.wraps_y);
     return {i, j};
 }
 
-Adoptions::Cell Adoptions::parent(Cell child) const {
-    const Home where = home(child);
+Aggregation::Cell Aggregation::parent(Cell child) const {
+    const ParentSide where = parent_side(child);
     if (where == None) return {-1, -1};
     const int i = child.i / 2 + (where == East) - (where == West);
     const int j = child.j / 2 + (where == North) - (where == South);
     return {wrapped(i, coarse_.nx, coarse_.wraps_x), wrapped(j, coarse_.ny, coarse_.wraps_y)};
 }
 
-void Adoptions::list() {
-    if (strays_.empty()) return;
-    for (const Cell c : strays_) {
+void Aggregation::list() {
+    if (orphans_.empty()) return;
+    for (const Cell c : orphans_) {
         const Cell p = parent(c);
         of_row_.push_back({c.i, c.j, p.i, p.j});
         if (p.i >= 0) of_parent_.push_back(of_row_.back());
@@ -54,8 +54,8 @@ void Adoptions::list() {
     std::stable_sort(of_row_.begin(), of_row_.end(), [](const auto& a, const auto& b) { return a.j < b.j; });
     std::stable_sort(of_parent_.begin(), of_parent_.end(),
                      [](const auto& a, const auto& b) { return a.parent_j < b.parent_j; });
-    row_starts_ = starts(of_row_, fine_.ny, [](const Adoption& each) { return each.j; });
-    parent_starts_ = starts(of_parent_, coarse_.ny, [](const Adoption& each) { return each.parent_j; });
+    row_starts_ = starts(of_row_, fine_.ny, [](const Orphan& each) { return each.j; });
+    parent_starts_ = starts(of_parent_, coarse_.ny, [](const Orphan& each) { return each.parent_j; });
 }
 
 }  // namespace whorl
